@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: Apache-2.0
+# What every target of the project is compiled with.
+
+find_program(CCACHE_PROGRAM ccache)
+if(CCACHE_PROGRAM)
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${CCACHE_PROGRAM}")
+endif()
+
+# Exactness rests on these: no fused multiply-add, IEEE doubles in SSE registers.
+add_library(quoin_options INTERFACE)
+target_compile_options(quoin_options INTERFACE -ffp-contract=off -fno-fast-math)
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  target_compile_options(quoin_options INTERFACE -march=x86-64-v2)
+endif()
+
+add_library(quoin_warnings INTERFACE)
+target_compile_options(quoin_warnings INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Werror)
+# Fixed-width integers use the compiler's 128-bit type, which -Wpedantic rejects.
+target_compile_options(quoin_warnings INTERFACE -Wno-pedantic)
+
+if(QUOIN_SANITIZE)
+  target_compile_options(quoin_options INTERFACE
+    -fsanitize=${QUOIN_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(quoin_options INTERFACE -fsanitize=${QUOIN_SANITIZE})
+endif()

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quoin/base/parallel.h"
+
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_invoke.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <algorithm>
+
+namespace quoin {
+
+namespace {
+
+// Inside a task of the same arena nested calls share its threads.
+bool inside_arena() { return oneapi::tbb::this_task_arena::current_thread_index() != oneapi::tbb::task_arena::not_initialized; }
+
+template <class Work>
+void in_arena(const Context& context, const Work& work) {
+  if (inside_arena() && static_cast<unsigned>(oneapi::tbb::this_task_arena::max_concurrency()) == context.threads()) {
+    work();
+    return;
+  }
+  oneapi::tbb::task_arena arena(static_cast<int>(context.threads()));
+  arena.execute(work);
+}
+
+}  // namespace
+
+void for_each_chunk(const Context& context, std::size_t count, std::size_t grain,
+                    const std::function<void(const Chunk&)>& body) {
+  const std::size_t chunks = chunk_count(count, grain);
+  const auto run = [&](std::size_t index) {
+    context.poll();
+    body(Chunk{index, index * grain, std::min(count, (index + 1) * grain)});
+  };
+  if (context.threads() <= 1 || chunks <= 1) {
+    for (std::size_t index = 0; index < chunks; ++index) run(index);
+    return;
+  }
+  in_arena(context, [&] { oneapi::tbb::parallel_for(std::size_t{0}, chunks, run); });
+}
+
+void run_both(const Context& context, const std::function<void()>& first, const std::function<void()>& second) {
+  if (context.threads() <= 1) {
+    first();
+    second();
+    return;
+  }
+  in_arena(context, [&] { oneapi::tbb::parallel_invoke(first, second); });
+}
+
+}  // namespace quoin
