@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "quoin/base/id.h"
+#include "quoin/base/sign.h"
+#include "quoin/kernel/point.h"
+#include "quoin/kernel/rational_point.h"
+
+namespace quoin {
+
+using PointId = Id<struct PointTag>;
+using PlaneId = Id<struct PlaneTag>;
+using LineId = Id<struct LineTag>;
+
+/// Widths of the exact tier, by the bits that the coordinates of all explicit points need on their common power-of-two grid.
+enum class GridClass { bits30, bits61, bits124, big, rational };
+
+/// Who decided how many predicate calls; summed over threads.
+struct TierCounts {
+  std::uint64_t filter = 0;
+  std::uint64_t exact = 0;
+};
+
+/// A table of explicit points and of the planes, lines and points constructed from them, with the exact predicates on them.
+///
+/// Points [0, explicit_count()) are given; the others are constructed, never from constructed ones: depth stays one. Each
+/// construction is computed exactly once, when it is set, in the narrowest fixed-width integers that hold every value
+/// of the table's grid class (bounds derived in constructions.cc), and kept with its coordinates rounded to nearest.
+/// Predicates try a filter on the rounded values first and fall back to the exact ones; they return the true sign.
+///
+/// Slots are made by `resize_*` and filled by `set_*`; setting distinct slots from several threads is safe, and so is every
+/// const member once the slots it reads are set. Axes are 0, 1, 2; "projected along axis" means onto the coordinates
+/// (axis+1, axis+2) mod 3, so that a positive turn is counterclockwise seen from the positive end of the axis.
+class Constructions {
+ public:
+  /// Explicit points are finite doubles. O(n), one pass to find the grid class.
+  explicit Constructions(std::vector<Point3> explicit_points);
+  /// Explicit points are rationals (solids read from the exact text form); every predicate is then exact rational arithmetic
+  /// behind the same filters (with the bound for rounded points).
+  explicit Constructions(std::vector<RationalPoint3> explicit_points);
+  Constructions(Constructions&&) noexcept;
+  Constructions& operator=(Constructions&&) noexcept;
+  ~Constructions();
+
+  std::size_t explicit_count() const;
+  std::size_t point_count() const;
+  std::size_t plane_count() const;
+  GridClass grid_class() const;
+
+  /// The new slots are unset. New points get ids from point_count() on.
+  void resize_points(std::size_t count);
+  void resize_planes(std::size_t count);
+  void resize_lines(std::size_t count);
+
+  /// Plane through explicit points, normal (b - a) x (c - a), which must not vanish.
+  void set_plane(PlaneId plane, PointId a, PointId b, PointId c);
+  /// Plane through explicit p, q parallel to the axis; its positive side is to the left of p -> q projected along the axis.
+  /// p and q must differ in that projection.
+  void set_axis_plane(PlaneId plane, PointId p, PointId q, unsigned axis);
+
+  /// Direction q - p of explicit points.
+  void set_line(LineId line, PointId p, PointId q);
+  /// Direction normal(p) x normal(q), the planes not parallel.
+  void set_line(LineId line, PlaneId p, PlaneId q);
+
+  /// Where the line through explicit p, q meets the plane; not parallel.
+  void set_point(PointId point, PointId p, PointId q, PlaneId plane);
+  /// Where three planes meet; normals independent.
+  void set_point(PointId point, PlaneId p, PlaneId q, PlaneId r);
+  /// (wa a + wb b + wc c) / (wa + wb + wc) of explicit points; each weight below 2^20, their sum positive.
+  void set_point(PointId point, std::array<PointId, 3> corners, std::array<std::uint32_t, 3> weights);
+
+  /// The coordinates, each rounded to the nearest double, ties to even; exact for explicit double points. A function of
+  /// the point's value alone, so equal points have equal rounded coordinates.
+  const Point3& rounded(PointId point) const;
+  RationalPoint3 exact(PointId point) const;
+
+  // Predicates on explicit points.
+  /// Sign of det(b - a, c - a, d - a).
+  Sign orientation(PointId a, PointId b, PointId c, PointId d) const;
+  /// Turn a, b, c projected along the axis.
+  Sign turn(PointId a, PointId b, PointId c, unsigned axis) const;
+
+  // Predicates on any points.
+  /// Positive: on the side the normal points to.
+  Sign side(PointId point, PlaneId plane) const;
+  /// Sign of p[axis] - q[axis].
+  Sign compare(PointId p, PointId q, unsigned axis) const;
+  bool equal(PointId p, PointId q) const;
+  /// Turn of explicit a, explicit b, any c projected along the axis.
+  Sign turn_any(PointId a, PointId b, PointId c, unsigned axis) const;
+
+  // Predicates on planes and lines.
+  Sign normal_component(PlaneId plane, unsigned axis) const;
+  /// An axis along which the normal has a nonzero component, the one of largest rounded magnitude.
+  unsigned main_axis(PlaneId plane) const;
+  /// Sign of normal(p) . normal(q).
+  Sign dot(PlaneId p, PlaneId q) const;
+  Sign component(LineId line, unsigned axis) const;
+  /// Sign of the cross product of two directions projected along the axis.
+  Sign turn(LineId a, LineId b, unsigned axis) const;
+  /// Sign of direction(line) . (normal(p) x normal(q)).
+  Sign triple(LineId line, PlaneId p, PlaneId q) const;
+
+  /// Exact coefficients (a, b, c, d) with a x + b y + c z = d, up to a positive factor.
+  std::array<Rational, 4> plane_equation(PlaneId plane) const;
+
+  /// A table that holds these points in this order (explicit ones must come first) and no planes or lines.
+  Constructions subset(std::span<const PointId> points) const;
+
+  TierCounts tier_counts() const;
+
+ private:
+  struct Store;
+  std::unique_ptr<Store> store_;
+};
+
+}  // namespace quoin

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "quoin/kernel/point.h"
+
+namespace quoin {
+
+/// Three indices into the points of a polygon, counterclockwise.
+using PolygonTriangle = std::array<std::uint32_t, 3>;
+
+/// Triangulates a polygon with holes, exactly.
+///
+/// `loops` are index chains into `points`: the polygon's interior is on the left of every loop edge (outer loops
+/// counterclockwise, holes clockwise), in any order, several outer loops allowed. Loops may touch each other and themselves in vertices (a
+/// vertex index may occur more than once), and collinear vertices are kept: every loop edge is an edge of the result, no triangle
+/// has zero area, no vertex is added. The triangles' edges are improved towards Delaunay by flips.
+///
+/// Returns nothing when the loops do not bound such a polygon: edges cross or overlap, a vertex lies inside another edge, two indices lie
+/// on one spot, or the orientation is wrong. Exact for all finite doubles, no tolerance. Triangles and quadrilaterals
+/// take a direct path without allocation beyond the result; otherwise O(n log n).
+std::optional<std::vector<PolygonTriangle>> triangulate_polygon(std::span<const Point2> points,
+                                                                std::span<const std::vector<std::uint32_t>> loops);
+
+/// The same over a caller's arrays, for many small polygons: appends to `triangles` and returns false, leaving it
+/// as it was, where the other returns nothing. `loop_begin` holds loop count + 1 offsets into `loop_points`.
+bool triangulate_polygon(std::span<const Point2> points, std::span<const std::uint32_t> loop_points,
+                         std::span<const std::uint32_t> loop_begin, std::vector<PolygonTriangle>& triangles);
+
+}  // namespace quoin
