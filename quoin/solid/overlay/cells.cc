@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quoin/solid/overlay/cells.h"
+
+#include <algorithm>
+
+#include "quoin/solid/overlay/disjoint_sets.h"
+
+namespace quoin::overlay {
+
+namespace {
+
+class CellBuilder {
+ public:
+  CellBuilder(const Sheets& sheets, const Fans& fans, const Context& context)
+      : sheets_(sheets), fans_(fans), context_(context), patch_sets_(sheets.count()) {}
+
+  CellComplex run() {
+    join_tiles();
+    join_plain_fans();
+    number_patches();
+    DisjointSets cells(2 * complex_.patches.size());
+    for (const Fan& fan : fans_.fans) {
+      if (!fan.is_plain) join_cells(fans_.sides_of(fan), cells);
+    }
+    number_cells(cells);
+    find_walls();
+    return std::move(complex_);
+  }
+
+ private:
+  bool is_involved(std::uint32_t tile) const {
+    const std::uint32_t facet = sheets_.scene->facet_of_tile[tile];
+    return facet != none && sheets_.network->involved[facet];
+  }
+
+  // Edges between tiles of which none is involved; the others occur in fans.
+  void join_tiles() {
+    const Scene& scene = *sheets_.scene;
+    for (std::uint32_t leaf = 0; leaf < scene.leaves.size(); ++leaf) {
+      const std::vector<std::uint32_t>& twins = scene.leaves[leaf]->twins;
+      const std::uint32_t first = scene.first_tile[leaf];
+      for (std::uint32_t h = 0; h < twins.size(); ++h) {
+        if (h % 65536 == 0) context_.poll();
+        if (twins[h] == Leaf::no_twin || twins[h] < h) continue;
+        const std::uint32_t a = first + h / 3;
+        const std::uint32_t b = first + twins[h] / 3;
+        if (!is_involved(a) && !is_involved(b)) patch_sets_.unite(a, b);
+      }
+    }
+  }
+
+  void join_plain_fans() {
+    for (const Fan& fan : fans_.fans) {
+      if (fan.is_plain) patch_sets_.unite(fans_.sides[fan.first].sheet, fans_.sides[fan.first + 1].sheet);
+    }
+  }
+
+  void number_patches() {
+    const auto count = static_cast<std::uint32_t>(sheets_.count());
+    complex_.patch_of.resize(count);
+    std::uint32_t leaf = 0;
+    for (std::uint32_t s = 0; s < count; ++s) {
+      if (s % 65536 == 0) context_.poll();
+      const std::uint32_t root = patch_sets_.find(s);
+      if (root != s) {
+        complex_.patch_of[s] = complex_.patch_of[root];
+        continue;
+      }
+      if (s < sheets_.tile_count() && sheets_.is_replaced(s)) {
+        complex_.patch_of[s] = none;
+        continue;
+      }
+      if (s < sheets_.tile_count()) {
+        while (s >= sheets_.scene->first_tile[leaf + 1]) ++leaf;
+      } else {
+        leaf = sheets_.leaf(s);
+      }
+      complex_.patch_of[s] = static_cast<std::uint32_t>(complex_.patches.size());
+      complex_.patches.push_back({leaf, s, 0, 0, complex_.patch_of[s], false});
+    }
+  }
+
+  // The cell slot counterclockwise or clockwise of a side: the front of a forward sheet faces counterclockwise.
+  std::uint32_t slot(const Side& side, bool counterclockwise) const {
+    return 2 * complex_.patch_of[side.sheet] + (side.forward == counterclockwise ? 0 : 1);
+  }
+
+  void join_cells(std::span<const Side> sides, DisjointSets& cells) {
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      const Side& here = sides[i];
+      const Side& after = sides[i + 1 == sides.size() ? 0 : i + 1];
+      if (here.rank == after.rank && i + 1 != sides.size()) {
+        cells.unite(slot(here, true), slot(after, true));
+        cells.unite(slot(here, false), slot(after, false));
+        coincident_.push_back({complex_.patch_of[here.sheet], complex_.patch_of[after.sheet], here.forward != after.forward});
+      } else {
+        cells.unite(slot(here, true), slot(after, false));
+      }
+    }
+  }
+
+  void number_cells(DisjointSets& cells) {
+    std::vector<std::uint32_t> number(cells.size(), none);
+    for (std::uint32_t s = 0; s < cells.size(); ++s) {
+      const std::uint32_t root = cells.find(s);
+      if (number[root] == none) number[root] = complex_.cell_count++;
+      Patch& patch = complex_.patches[s / 2];
+      (s % 2 == 0 ? patch.front : patch.back) = number[root];
+    }
+  }
+
+  struct Coincidence {
+    std::uint32_t a;
+    std::uint32_t b;
+    bool is_reversed;
+  };
+
+  // Patches that cover the same points, with their orientation relative to the smallest of them.
+  void find_walls() {
+    if (coincident_.empty()) return;
+    DisjointSets walls(complex_.patches.size());
+    for (const Coincidence& c : coincident_) walls.unite(c.a, c.b);
+    std::sort(coincident_.begin(), coincident_.end(), [](const Coincidence& x, const Coincidence& y) {
+      return x.a != y.a ? x.a < y.a : x.b != y.b ? x.b < y.b : x.is_reversed < y.is_reversed;
+    });
+    coincident_.erase(std::unique(coincident_.begin(), coincident_.end(),
+                                  [](const Coincidence& x, const Coincidence& y) { return x.a == y.a && x.b == y.b; }),
+                      coincident_.end());
+    std::vector<std::vector<std::pair<std::uint32_t, bool>>> neighbours(complex_.patches.size());
+    for (const Coincidence& c : coincident_) {
+      neighbours[c.a].push_back({c.b, c.is_reversed});
+      neighbours[c.b].push_back({c.a, c.is_reversed});
+    }
+    std::vector<bool> seen(complex_.patches.size(), false);
+    std::vector<std::uint32_t> stack;
+    for (const Coincidence& c : coincident_) {
+      const std::uint32_t root = walls.find(c.a);
+      if (seen[root]) continue;
+      seen[root] = true;
+      stack.assign(1, root);
+      while (!stack.empty()) {
+        const std::uint32_t p = stack.back();
+        stack.pop_back();
+        for (const auto& [q, is_reversed] : neighbours[p]) {
+          if (seen[q]) continue;
+          seen[q] = true;
+          complex_.patches[q].wall = root;
+          complex_.patches[q].is_reversed = complex_.patches[p].is_reversed != is_reversed;
+          stack.push_back(q);
+        }
+      }
+    }
+  }
+
+  const Sheets& sheets_;
+  const Fans& fans_;
+  const Context& context_;
+  DisjointSets patch_sets_;
+  CellComplex complex_;
+  std::vector<Coincidence> coincident_;
+};
+
+}  // namespace
+
+CellComplex make_cells(const Sheets& sheets, const Fans& fans, const Context& context) {
+  context.progress("cells", 0);
+  return CellBuilder(sheets, fans, context).run();
+}
+
+}  // namespace quoin::overlay

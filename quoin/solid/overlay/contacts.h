@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstdint>
+#include <vector>
+
+#include "quoin/solid/overlay/scene.h"
+
+namespace quoin::overlay {
+
+/// An undirected edge of facets by its end points, a < b. Coincident edges of several leaves are one.
+struct Edge {
+  std::uint32_t a;
+  std::uint32_t b;
+  friend auto operator<=>(const Edge&, const Edge&) = default;
+};
+
+inline Edge edge_between(PointId p, PointId q) {
+  return p.value < q.value ? Edge{p.value, q.value} : Edge{q.value, p.value};
+}
+
+/// Where the interior of an edge crosses the interior of a facet (c = facet, d = none) or of another edge (c, d).
+struct ContactKey {
+  std::uint32_t a;
+  std::uint32_t b;
+  std::uint32_t c;
+  std::uint32_t d;
+  friend auto operator<=>(const ContactKey&, const ContactKey&) = default;
+};
+
+/// A vertex of the overlay before contacts have ids: an explicit point, or a contact by its place in a list.
+struct PointRef {
+  std::uint32_t value = none;
+  static constexpr std::uint32_t contact_bit = 0x80000000U;
+
+  static PointRef point(PointId p) { return {p.value}; }
+  static PointRef contact(std::size_t index) { return {static_cast<std::uint32_t>(index) | contact_bit}; }
+  bool is_contact() const { return (value & contact_bit) != 0; }
+  std::size_t contact_index() const { return value & ~contact_bit; }
+  friend bool operator==(PointRef, PointRef) = default;
+};
+
+struct EdgePoint {
+  Edge edge;
+  PointRef point;
+};
+
+struct FacetPoint {
+  std::uint32_t facet;
+  PointRef point;
+};
+
+/// What another facet leaves on a facet: cut by its plane, or, if both lie in one plane, by one of its edges.
+struct Trace {
+  std::uint32_t facet;
+  PointRef from;
+  PointRef to;
+  std::uint32_t cutter;  ///< facet whose plane cuts, or none
+  Edge edge;             ///< the edge that lies in the facet's plane where cutter is none
+};
+
+/// Everything that pairs of facets have in common.
+struct Contacts {
+  std::vector<ContactKey> keys;  ///< a contact found by several pairs occurs several times
+  std::vector<EdgePoint> edge_points;
+  std::vector<FacetPoint> facet_points;
+  std::vector<Trace> traces;
+  std::vector<FacetPair> coplanar;  ///< pairs of one leaf in one plane, not apart
+};
+
+/// Appends what facets a and b have in common.
+///
+/// Exact, from signs of explicit points alone: at most 10 orientations, or 18 plane turns where the facets are
+/// coplanar. Each contact is named by the pair of features (vertex, edge, facet) that meet in it, so that the two
+/// facets at an edge report the same contact under the same name.
+/// Source: Guigue and Devillers 2003 for the order of the two intervals on the common line.
+void find_contacts(const Scene& scene, FacetPair pair, Contacts& out);
+
+/// The same for two facets in one plane.
+void find_coplanar_contacts(const Scene& scene, FacetPair pair, Contacts& out);
+
+}  // namespace quoin::overlay

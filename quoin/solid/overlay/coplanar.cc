@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Two facets in one plane, projected along an axis that the plane is not parallel to. Signs are taken as if both
+// facets turned counterclockwise, so that positive always means inside.
+#include <cmath>
+#include <utility>
+
+#include "quoin/base/error.h"
+#include "quoin/solid/overlay/contacts.h"
+
+namespace quoin::overlay {
+
+namespace {
+
+constexpr std::size_t next(std::size_t k) { return k == 2 ? 0 : k + 1; }
+
+using Corners = std::array<PointId, 3>;
+
+// inside[j][i]: side of corner i of one facet with respect to edge j of the other.
+using Sides = std::array<std::array<Sign, 3>, 3>;
+
+// The axis of the largest normal component in doubles for which the exact projection does not vanish.
+unsigned projection_axis(const Constructions& table, const Corners& c) {
+  const Point3& a = table.rounded(c[0]);
+  const Point3& b = table.rounded(c[1]);
+  const Point3& d = table.rounded(c[2]);
+  std::array<double, 3> size{};
+  for (unsigned k = 0; k < 3; ++k) {
+    const unsigned u = (k + 1) % 3;
+    const unsigned v = (k + 2) % 3;
+    size[k] = std::fabs((b[u] - a[u]) * (d[v] - a[v]) - (b[v] - a[v]) * (d[u] - a[u]));
+  }
+  std::array<unsigned, 3> order{0, 1, 2};
+  if (size[order[0]] < size[order[1]]) std::swap(order[0], order[1]);
+  if (size[order[0]] < size[order[2]]) std::swap(order[0], order[2]);
+  for (const unsigned axis : order) {
+    if (table.turn(c[0], c[1], c[2], axis) != Sign::zero) return axis;
+  }
+  throw InternalError("a facet without area reached the overlay");
+}
+
+class CoplanarPair {
+ public:
+  CoplanarPair(const Scene& scene, FacetPair pair, Contacts& out)
+      : table_(scene.table), pair_(pair), s_(scene.facets[pair.a].corners), t_(scene.facets[pair.b].corners), out_(out),
+        same_leaf_(scene.facets[pair.a].leaf == scene.facets[pair.b].leaf) {
+    axis_ = projection_axis(table_, s_);
+  }
+
+  void run() {
+    t_in_s_ = sides(s_, t_);
+    if (apart(t_in_s_)) return;
+    s_in_t_ = sides(t_, s_);
+    if (apart(s_in_t_)) return;
+    if (same_leaf_) out_.coplanar.push_back(pair_);
+    post_vertices(t_, t_in_s_, s_, pair_.a);
+    post_vertices(s_, s_in_t_, t_, pair_.b);
+    post_crossings();
+    for (std::size_t i = 0; i < 3; ++i) {
+      post_trace(pair_.a, t_, i, t_in_s_, s_, s_in_t_, false);
+      post_trace(pair_.b, s_, i, s_in_t_, t_, t_in_s_, true);
+    }
+  }
+
+ private:
+  Sides sides(const Corners& facet, const Corners& corners) const {
+    const Sign orientation = table_.turn(facet[0], facet[1], facet[2], axis_);
+    Sides result;
+    for (std::size_t j = 0; j < 3; ++j) {
+      const PointId a = facet[j];
+      const PointId b = facet[next(j)];
+      for (std::size_t i = 0; i < 3; ++i) {
+        const PointId p = corners[i];
+        result[j][i] = p == a || p == b ? Sign::zero : table_.turn(a, b, p, axis_) * orientation;
+      }
+    }
+    return result;
+  }
+
+  static bool apart(const Sides& sides) {
+    for (const auto& edge : sides) {
+      if (edge[0] == Sign::negative && edge[1] == Sign::negative && edge[2] == Sign::negative) return true;
+    }
+    return false;
+  }
+
+  static bool outside(const Sides& sides, std::size_t i) {
+    return sides[0][i] == Sign::negative || sides[1][i] == Sign::negative || sides[2][i] == Sign::negative;
+  }
+
+  // The edge of the facet in whose interior corner i lies, 3 for the facet's interior, 4 for a corner or outside.
+  static std::size_t place(const Sides& sides, std::size_t i) {
+    if (outside(sides, i)) return 4;
+    std::size_t zeros = 0;
+    std::size_t edge = 3;
+    for (std::size_t j = 0; j < 3; ++j) {
+      if (sides[j][i] != Sign::zero) continue;
+      ++zeros;
+      edge = j;
+    }
+    return zeros == 2 ? 4 : edge;
+  }
+
+  void post_vertices(const Corners& corners, const Sides& sides, const Corners& facet, std::uint32_t facet_index) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t where = place(sides, i);
+      const PointRef ref = PointRef::point(corners[i]);
+      if (where == 3) out_.facet_points.push_back({facet_index, ref});
+      if (where < 3) out_.edge_points.push_back({edge_between(facet[where], facet[next(where)]), ref});
+    }
+  }
+
+  void post_crossings() {
+    for (std::size_t j = 0; j < 3; ++j) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Sign across_s = t_in_s_[j][i] * t_in_s_[j][next(i)];
+        const Sign across_t = s_in_t_[i][j] * s_in_t_[i][next(j)];
+        if (across_s != Sign::negative || across_t != Sign::negative) continue;
+        Edge e = edge_between(s_[j], s_[next(j)]);
+        Edge f = edge_between(t_[i], t_[next(i)]);
+        if (f < e) std::swap(e, f);
+        crossing_[j][i] = PointRef::contact(out_.keys.size());
+        out_.keys.push_back({e.a, e.b, f.a, f.b});
+        out_.edge_points.push_back({e, crossing_[j][i]});
+        out_.edge_points.push_back({f, crossing_[j][i]});
+      }
+    }
+  }
+
+  // The part of edge i of `cutting` inside the facet, unless it runs along the facet's boundary.
+  void post_trace(std::uint32_t facet_index, const Corners& cutting, std::size_t i, const Sides& cutting_in_facet,
+                  const Corners& facet, const Sides& facet_in_cutting, bool swapped) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      if (cutting_in_facet[j][i] == Sign::zero && cutting_in_facet[j][next(i)] == Sign::zero) return;
+    }
+    std::array<PointRef, 2> ends;
+    std::size_t count = 0;
+    const auto add = [&](PointRef ref) {
+      if ((count > 0 && ends[0] == ref) || (count > 1 && ends[1] == ref)) return;
+      if (count == 2) throw InternalError("an edge meets a triangle of its plane in three places");
+      ends[count++] = ref;
+    };
+    for (const std::size_t corner : {i, next(i)}) {
+      if (!outside(cutting_in_facet, corner)) add(PointRef::point(cutting[corner]));
+    }
+    for (std::size_t j = 0; j < 3; ++j) {
+      const PointRef crossing = swapped ? crossing_[i][j] : crossing_[j][i];
+      if (crossing.value != none) add(crossing);
+      if (place(facet_in_cutting, j) == i) add(PointRef::point(facet[j]));
+    }
+    if (count == 2) {
+      out_.traces.push_back({facet_index, ends[0], ends[1], none, edge_between(cutting[i], cutting[next(i)])});
+    }
+  }
+
+  const Constructions& table_;
+  FacetPair pair_;
+  const Corners& s_;
+  const Corners& t_;
+  Contacts& out_;
+  bool same_leaf_;
+  unsigned axis_ = 0;
+  Sides t_in_s_{};
+  Sides s_in_t_{};
+  std::array<std::array<PointRef, 3>, 3> crossing_{};  // edge of s, edge of t
+};
+
+}  // namespace
+
+void find_coplanar_contacts(const Scene& scene, FacetPair pair, Contacts& out) { CoplanarPair(scene, pair, out).run(); }
+
+}  // namespace quoin::overlay

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quoin/solid/overlay/network.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "quoin/base/error.h"
+#include "quoin/base/parallel.h"
+
+namespace quoin::overlay {
+
+namespace {
+
+// A plane through an edge parallel to an axis.
+struct AxisPlane {
+  Edge edge;
+  std::uint32_t axis;
+  friend auto operator<=>(const AxisPlane&, const AxisPlane&) = default;
+};
+
+template <class T>
+void sort_unique(std::vector<T>& list) {
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+}
+
+template <class T>
+std::size_t rank_in(const std::vector<T>& sorted, const T& value) {
+  return static_cast<std::size_t>(std::lower_bound(sorted.begin(), sorted.end(), value) - sorted.begin());
+}
+
+class NetworkBuilder {
+ public:
+  NetworkBuilder(Scene& scene, const Context& context)
+      : scene_(scene), context_(context), network_{{}, {}, {}, {}, {}, PointMerger(scene.table)} {}
+
+  Network run() {
+    intersect_pairs();
+    number_contacts();
+    mark_facets();
+    set_facet_planes();
+    set_axis_planes();
+    construct_contacts();
+    merge_points();
+    collect_points();
+    collect_curves();
+    return std::move(network_);
+  }
+
+ private:
+  void intersect_pairs() {
+    constexpr std::size_t grain = 1024;
+    found_.resize(chunk_count(scene_.pairs.size(), grain));
+    context_.progress("contacts", 0);
+    for_each_chunk(context_, scene_.pairs.size(), grain, [&](const Chunk& chunk) {
+      for (std::size_t i = chunk.begin; i < chunk.end; ++i) find_contacts(scene_, scene_.pairs[i], found_[chunk.index]);
+    });
+  }
+
+  void number_contacts() {
+    for (const Contacts& part : found_) keys_.insert(keys_.end(), part.keys.begin(), part.keys.end());
+    sort_unique(keys_);
+    first_contact_ = scene_.table.point_count();
+    ids_.resize(found_.size());
+    for_each_chunk(context_, found_.size(), 1, [&](const Chunk& chunk) {
+      for (const ContactKey& key : found_[chunk.index].keys) {
+        ids_[chunk.index].push_back(PointId{first_contact_ + rank_in(keys_, key)});
+      }
+    });
+    context_.poll();
+  }
+
+  PointId id_of(std::size_t part, PointRef ref) const {
+    return ref.is_contact() ? ids_[part][ref.contact_index()] : PointId{ref.value};
+  }
+
+  // Facets with points on their boundary or inside are cut; with an edge that others may share, they are involved.
+  void mark_facets() {
+    std::vector<Edge> cut_edges;
+    network_.cut.assign(scene_.facets.size(), false);
+    network_.involved.assign(scene_.facets.size(), false);
+    for (const Contacts& part : found_) {
+      for (const EdgePoint& p : part.edge_points) cut_edges.push_back(p.edge);
+      for (const FacetPoint& p : part.facet_points) network_.cut[p.facet] = true;
+      for (const Trace& t : part.traces) network_.cut[t.facet] = true;
+      for (const FacetPair& p : part.coplanar) network_.involved[p.a] = network_.involved[p.b] = true;
+    }
+    sort_unique(cut_edges);
+    for (std::size_t f = 0; f < scene_.facets.size(); ++f) {
+      const Facet& facet = scene_.facets[f];
+      for (std::size_t k = 0; k < 3; ++k) {
+        const PointId p = facet.corners[k];
+        const PointId q = facet.corners[(k + 1) % 3];
+        if (std::binary_search(cut_edges.begin(), cut_edges.end(), edge_between(p, q))) network_.cut[f] = true;
+        const bool alone = scene_.twin(facet.tile, static_cast<std::uint32_t>(k), facet.leaf).tile == none;
+        if (alone || (scene_.shared[p.value] && scene_.shared[q.value])) network_.involved[f] = true;
+      }
+      if (network_.cut[f]) network_.involved[f] = true;
+    }
+  }
+
+  void set_facet_planes() {
+    std::vector<bool> needed = network_.involved;
+    for (const ContactKey& key : keys_) {
+      if (key.d == none) needed[key.c] = true;
+    }
+    for (const Contacts& part : found_) {
+      for (const Trace& t : part.traces) {
+        if (t.cutter != none) needed[t.cutter] = true;
+      }
+    }
+    Constructions& table = scene_.table;
+    table.resize_planes(scene_.facets.size());
+    for_each_chunk(context_, scene_.facets.size(), 512, [&](const Chunk& chunk) {
+      for (std::size_t f = chunk.begin; f < chunk.end; ++f) {
+        const auto& c = scene_.facets[f].corners;
+        if (needed[f]) table.set_plane(PlaneId{f}, c[0], c[1], c[2]);
+      }
+    });
+  }
+
+  // Two edges that cross: the plane through the second along an axis in whose projection they are not parallel.
+  AxisPlane plane_through_second(const ContactKey& key) const {
+    for (std::uint32_t axis = 0; axis < 3; ++axis) {
+      if (scene_.table.turn(PointId{key.a}, PointId{key.b}, PointId{key.c}, axis) != Sign::zero) {
+        return {{key.c, key.d}, axis};
+      }
+    }
+    throw InternalError("two collinear edges were said to cross");
+  }
+
+  AxisPlane plane_of_trace(const Trace& trace) const {
+    return {trace.edge, scene_.table.main_axis(PlaneId{trace.facet})};
+  }
+
+  PlaneId id_of(const AxisPlane& plane) const { return PlaneId{scene_.facets.size() + rank_in(axis_planes_, plane)}; }
+
+  void set_axis_planes() {
+    for (const ContactKey& key : keys_) {
+      if (key.d != none) axis_planes_.push_back(plane_through_second(key));
+    }
+    for (const Contacts& part : found_) {
+      for (const Trace& t : part.traces) {
+        if (t.cutter == none) axis_planes_.push_back(plane_of_trace(t));
+      }
+    }
+    sort_unique(axis_planes_);
+    Constructions& table = scene_.table;
+    table.resize_planes(scene_.facets.size() + axis_planes_.size());
+    for_each_chunk(context_, axis_planes_.size(), 512, [&](const Chunk& chunk) {
+      for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+        const AxisPlane& plane = axis_planes_[i];
+        table.set_axis_plane(PlaneId{scene_.facets.size() + i}, PointId{plane.edge.a}, PointId{plane.edge.b}, plane.axis);
+      }
+    });
+  }
+
+  void construct_contacts() {
+    Constructions& table = scene_.table;
+    if (first_contact_ + keys_.size() >= PointRef::contact_bit) throw InputError("too many intersections");
+    table.resize_points(first_contact_ + keys_.size());
+    for_each_chunk(context_, keys_.size(), 256, [&](const Chunk& chunk) {
+      for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+        const ContactKey& key = keys_[i];
+        const PlaneId plane = key.d == none ? PlaneId{key.c} : id_of(plane_through_second(key));
+        table.set_point(PointId{first_contact_ + i}, PointId{key.a}, PointId{key.b}, plane);
+      }
+    });
+  }
+
+  void merge_points() {
+    std::vector<std::uint32_t> corners;
+    for (std::size_t f = 0; f < scene_.facets.size(); ++f) {
+      if (!network_.involved[f]) continue;
+      for (const PointId p : scene_.facets[f].corners) corners.push_back(p.value);
+    }
+    sort_unique(corners);
+    for (const std::uint32_t p : corners) network_.merger.insert(PointId{p});
+    canonical_.resize(keys_.size());
+    for (std::size_t i = 0; i < keys_.size(); ++i) {
+      if (i % 4096 == 0) context_.poll();
+      canonical_[i] = network_.merger.insert(PointId{first_contact_ + i});
+    }
+  }
+
+  PointId canonical(PointId p) const { return p.value >= first_contact_ ? canonical_[p.value - first_contact_] : p; }
+
+  void collect_points() {
+    for (std::size_t part = 0; part < found_.size(); ++part) {
+      for (const EdgePoint& p : found_[part].edge_points) {
+        network_.edge_points.push_back({p.edge, canonical(id_of(part, p.point))});
+      }
+      for (const FacetPoint& p : found_[part].facet_points) {
+        network_.facet_points.push_back({p.facet, canonical(id_of(part, p.point))});
+      }
+    }
+    sort_unique(network_.edge_points);
+    sort_unique(network_.facet_points);
+  }
+
+  void collect_curves() {
+    std::vector<Curve>& curves = network_.curves;
+    for (std::size_t part = 0; part < found_.size(); ++part) {
+      for (const Trace& t : found_[part].traces) {
+        PointId from = canonical(id_of(part, t.from));
+        PointId to = canonical(id_of(part, t.to));
+        if (from == to) continue;
+        if (to < from) std::swap(from, to);
+        const bool along = t.cutter == none;
+        curves.push_back({t.facet, from, to, along ? id_of(plane_of_trace(t)) : PlaneId{t.cutter}, along ? t.edge : Edge{none, none}});
+      }
+    }
+    const auto place = [](const Curve& c) { return std::tuple(c.facet, c.from, c.to); };
+    std::sort(curves.begin(), curves.end(), [&](const Curve& x, const Curve& y) {
+      return std::tuple_cat(place(x), std::tuple(x.cut)) < std::tuple_cat(place(y), std::tuple(y.cut));
+    });
+    curves.erase(std::unique(curves.begin(), curves.end(),
+                             [&](const Curve& x, const Curve& y) { return place(x) == place(y); }),
+                 curves.end());
+  }
+
+  Scene& scene_;
+  const Context& context_;
+  Network network_;
+  std::vector<Contacts> found_;               // per chunk of pairs
+  std::vector<std::vector<PointId>> ids_;     // of the contacts of each chunk
+  std::vector<ContactKey> keys_;              // sorted; contact i is point first_contact_ + i
+  std::vector<PointId> canonical_;            // per contact
+  std::vector<AxisPlane> axis_planes_;        // sorted; their planes follow those of the facets
+  std::size_t first_contact_ = 0;
+};
+
+}  // namespace
+
+std::span<const PointOnEdge> Network::points_on(Edge edge) const {
+  const auto less = [](const auto& x, const auto& y) {
+    if constexpr (requires { x.edge; }) {
+      return x.edge < y;
+    } else {
+      return x < y.edge;
+    }
+  };
+  const auto range = std::equal_range(edge_points.begin(), edge_points.end(), edge, less);
+  return {range.first, range.second};
+}
+
+std::span<const PointInFacet> Network::points_in(std::uint32_t facet) const {
+  const auto first = std::lower_bound(facet_points.begin(), facet_points.end(), facet,
+                                      [](const PointInFacet& p, std::uint32_t f) { return p.facet < f; });
+  auto last = first;
+  while (last != facet_points.end() && last->facet == facet) ++last;
+  return {first, last};
+}
+
+std::span<const Curve> Network::curves_in(std::uint32_t facet) const {
+  const auto first = std::lower_bound(curves.begin(), curves.end(), facet,
+                                      [](const Curve& c, std::uint32_t f) { return c.facet < f; });
+  auto last = first;
+  while (last != curves.end() && last->facet == facet) ++last;
+  return {first, last};
+}
+
+Network make_network(Scene& scene, const Context& context) { return NetworkBuilder(scene, context).run(); }
+
+}  // namespace quoin::overlay

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quoin/solid/overlay/subdivision.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "quoin/base/parallel.h"
+#include "quoin/solid/overlay/facet_graph.h"
+
+namespace quoin::overlay {
+
+namespace {
+
+// Traces the faces of one facet's graph and nests the parts that do not touch its boundary.
+class RegionTracer {
+ public:
+  RegionTracer(FacetGraph& graph, const Constructions& table, Subdivision& out) : graph_(graph), table_(table), out_(out) {}
+
+  void run(std::uint32_t facet) {
+    trace_cycles();
+    find_parts();
+    if (part_count_ == 1) {
+      for (const Cycle& cycle : cycles_) {
+        if (!cycle.is_outside) emit(facet, cycle, {});
+      }
+      return;
+    }
+    nest_parts();
+    for (std::uint32_t c = 0; c < cycles_.size(); ++c) {
+      if (!cycles_[c].is_outside) emit(facet, cycles_[c], holes_of(c));
+    }
+  }
+
+ private:
+  struct Cycle {
+    std::uint32_t first;  // halfedge
+    std::uint32_t part = 0;
+    bool is_outside = false;  // of its part
+    std::array<double, 6> box{};
+  };
+
+  void trace_cycles() {
+    const auto halfedges = static_cast<std::uint32_t>(2 * graph_.piece_count());
+    cycle_of_.assign(halfedges, none);
+    cycles_.clear();
+    for (std::uint32_t h = 0; h < halfedges; ++h) {
+      if (cycle_of_[h] != none) continue;
+      cycles_.push_back({h, 0, graph_.is_outside(h), {}});
+      for (std::uint32_t g = h; cycle_of_[g] == none; g = graph_.next(g)) {
+        cycle_of_[g] = static_cast<std::uint32_t>(cycles_.size() - 1);
+      }
+    }
+  }
+
+  std::uint32_t root(std::uint32_t n) {
+    while (part_[n] != n) n = part_[n] = part_[part_[n]];
+    return n;
+  }
+
+  // Connected parts of the graph, by union of nodes; part 0 is that of the boundary.
+  void find_parts() {
+    part_.resize(graph_.node_count());
+    std::iota(part_.begin(), part_.end(), 0U);
+    part_count_ = graph_.node_count();
+    for (std::uint32_t p = 0; p < graph_.piece_count(); ++p) {
+      const std::uint32_t a = root(graph_.tail(2 * p));
+      const std::uint32_t b = root(graph_.head(2 * p));
+      if (a == b) continue;
+      part_[std::max(a, b)] = std::min(a, b);
+      --part_count_;
+    }
+  }
+
+  // The lexicographically smallest node of each part, by root.
+  std::vector<std::uint32_t> smallest_nodes() {
+    std::vector<std::uint32_t> smallest(graph_.node_count(), none);
+    for (std::uint32_t n = 0; n < graph_.node_count(); ++n) {
+      std::uint32_t& best = smallest[root(n)];
+      if (best == none || graph_.less(n, best)) best = n;
+    }
+    return smallest;
+  }
+
+  // At the smallest node of a part all pieces leave into one half plane; left of the last of them is outside.
+  std::uint32_t outside_cycle(std::uint32_t node) {
+    std::uint32_t last = graph_.leaving(node).front();
+    for (const std::uint32_t h : graph_.leaving(node)) {
+      if (h != last && graph_.turn(last, h) == Sign::positive) last = h;
+    }
+    return cycle_of_[last];
+  }
+
+  void nest_parts() {
+    for (Cycle& cycle : cycles_) {
+      cycle.part = root(graph_.tail(cycle.first));
+      set_box(cycle);
+    }
+    std::uint32_t boundary_part = none;
+    for (const Cycle& cycle : cycles_) {
+      if (cycle.is_outside) boundary_part = cycle.part;
+    }
+    const std::vector<std::uint32_t> smallest = smallest_nodes();
+    around_.assign(graph_.node_count(), {});
+    for (std::uint32_t part = 0; part < smallest.size(); ++part) {
+      if (smallest[part] == none || part == boundary_part) continue;
+      cycles_[outside_cycle(smallest[part])].is_outside = true;
+    }
+    for (std::uint32_t part = 0; part < smallest.size(); ++part) {
+      if (smallest[part] == none || part == boundary_part) continue;
+      for (std::uint32_t c = 0; c < cycles_.size(); ++c) {
+        if (!cycles_[c].is_outside && cycles_[c].part != part && contains(c, smallest[part])) around_[part].push_back(c);
+      }
+    }
+    hole_parents_.clear();
+    for (std::uint32_t c = 0; c < cycles_.size(); ++c) {
+      if (cycles_[c].is_outside && cycles_[c].part != boundary_part) hole_parents_.push_back({innermost(cycles_[c].part), c});
+    }
+    std::sort(hole_parents_.begin(), hole_parents_.end());
+  }
+
+  void set_box(Cycle& cycle) {
+    cycle.box = {1e308, 1e308, 1e308, -1e308, -1e308, -1e308};
+    std::uint32_t h = cycle.first;
+    do {
+      const Point3& p = table_.rounded(graph_.node(graph_.tail(h)));
+      for (std::size_t k = 0; k < 3; ++k) {
+        cycle.box[k] = std::min(cycle.box[k], p[k]);
+        cycle.box[k + 3] = std::max(cycle.box[k + 3], p[k]);
+      }
+      h = graph_.next(h);
+    } while (h != cycle.first);
+  }
+
+  bool contains(std::uint32_t c, std::uint32_t node) {
+    const Cycle& cycle = cycles_[c];
+    const Point3& p = table_.rounded(graph_.node(node));
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (p[k] < cycle.box[k] || p[k] > cycle.box[k + 3]) return false;
+    }
+    bool inside = false;
+    std::uint32_t h = cycle.first;
+    do {
+      if (graph_.ray_crosses(node, h)) inside = !inside;
+      h = graph_.next(h);
+    } while (h != cycle.first);
+    return inside;
+  }
+
+  // Of the cycles around a part, the one whose own part lies deepest.
+  std::uint32_t innermost(std::uint32_t part) {
+    const auto& candidates = around_[part];
+    return *std::max_element(candidates.begin(), candidates.end(), [&](std::uint32_t c, std::uint32_t d) {
+      return around_[cycles_[c].part].size() < around_[cycles_[d].part].size();
+    });
+  }
+
+  std::span<const std::pair<std::uint32_t, std::uint32_t>> holes_of(std::uint32_t c) const {
+    const auto first = std::lower_bound(hole_parents_.begin(), hole_parents_.end(), std::pair(c, 0U));
+    auto last = first;
+    while (last != hole_parents_.end() && last->first == c) ++last;
+    return {first, last};
+  }
+
+  void emit(std::uint32_t facet, const Cycle& cycle, std::span<const std::pair<std::uint32_t, std::uint32_t>> holes) {
+    emit_loop(cycle);
+    for (const auto& [parent, hole] : holes) emit_loop(cycles_[hole]);
+    out_.region_facet.push_back(facet);
+    out_.region_first_loop.push_back(static_cast<std::uint32_t>(out_.loop_begin.size() - 1));
+  }
+
+  void emit_loop(const Cycle& cycle) {
+    std::uint32_t h = cycle.first;
+    do {
+      out_.loop_vertices.push_back(graph_.node(graph_.tail(h)));
+      h = graph_.next(h);
+    } while (h != cycle.first);
+    out_.loop_begin.push_back(static_cast<std::uint32_t>(out_.loop_vertices.size()));
+  }
+
+  FacetGraph& graph_;
+  const Constructions& table_;
+  Subdivision& out_;
+  std::vector<Cycle> cycles_;
+  std::vector<std::uint32_t> cycle_of_;
+  std::vector<std::uint32_t> part_;
+  std::size_t part_count_ = 0;
+  std::vector<std::vector<std::uint32_t>> around_;                     // per part: cycles that contain it
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> hole_parents_;  // cycle, hole cycle
+};
+
+void append(Subdivision& all, const Subdivision& part) {
+  const auto loops = static_cast<std::uint32_t>(all.loop_begin.size() - 1);
+  const auto vertices = static_cast<std::uint32_t>(all.loop_vertices.size());
+  all.region_facet.insert(all.region_facet.end(), part.region_facet.begin(), part.region_facet.end());
+  for (std::size_t i = 1; i < part.region_first_loop.size(); ++i) {
+    all.region_first_loop.push_back(part.region_first_loop[i] + loops);
+  }
+  for (std::size_t i = 1; i < part.loop_begin.size(); ++i) all.loop_begin.push_back(part.loop_begin[i] + vertices);
+  all.loop_vertices.insert(all.loop_vertices.end(), part.loop_vertices.begin(), part.loop_vertices.end());
+}
+
+}  // namespace
+
+Subdivision subdivide(Scene& scene, const Network& network, std::span<const PointOnCurve> crossings,
+                      const Context& context) {
+  constexpr std::size_t grain = 64;
+  std::vector<std::uint32_t> facets;
+  for (std::uint32_t f = 0; f < scene.facets.size(); ++f) {
+    if (network.cut[f]) facets.push_back(f);
+  }
+  scene.table.resize_lines(network.curves.size() + 3 * facets.size());
+  context.progress("subdivision", 0);
+  std::vector<Subdivision> parts(chunk_count(facets.size(), grain));
+  for_each_chunk(context, facets.size(), grain, [&](const Chunk& chunk) {
+    FacetGraph graph(scene, network, crossings);
+    RegionTracer tracer(graph, scene.table, parts[chunk.index]);
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      graph.build(facets[i], network.curves.size() + 3 * i);
+      tracer.run(facets[i]);
+    }
+  });
+  Subdivision result;
+  for (const Subdivision& part : parts) append(result, part);
+  return result;
+}
+
+}  // namespace quoin::overlay

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "quoin/base/context.h"
+#include "quoin/solid/overlay/crossings.h"
+
+namespace quoin::overlay {
+
+/// Facets cut into regions: each region is a polygon, maybe with holes and slits, that no other facet enters.
+///
+/// Loops are closed chains of vertices with the region on their left, seen from the positive side of the facet's plane.
+struct Subdivision {
+  std::vector<std::uint32_t> region_facet;        ///< per region
+  std::vector<std::uint32_t> region_first_loop{0};
+  std::vector<std::uint32_t> loop_begin{0};
+  std::vector<PointId> loop_vertices;
+
+  std::size_t region_count() const { return region_facet.size(); }
+  std::span<const PointId> loop(std::size_t index) const {
+    return {loop_vertices.data() + loop_begin[index], loop_begin[index + 1] - loop_begin[index]};
+  }
+};
+
+/// Cuts every facet that has points or curves. Regions in the order of their facets. O(k log k) per facet with k
+/// curve pieces, and O(c k) more for c connected parts of its curves apart from the boundary.
+Subdivision subdivide(Scene& scene, const Network& network, std::span<const PointOnCurve> crossings, const Context& context);
+
+}  // namespace quoin::overlay
