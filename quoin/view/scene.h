@@ -18,8 +18,8 @@ using ViewFact = std::pair<std::string, std::string>;
 
 /// A face as the view shows it; its triangles are those of the part that name it in `triangle_face`.
 struct ViewFace {
-  /// a x + b y + c z + d = 0 with (a, b, c) pointing outward, of any length; all zero: not known, the view then says so and
-  /// shows the plane of the triangle that was picked.
+  /// a x + b y + c z + d = 0 with (a, b, c) pointing outward, of any length; all zero: not known, the view then says so
+  /// and shows the plane of the triangle that was picked.
   std::array<double, 4> plane{};
   std::uint32_t origin = 0;       ///< index into ViewScene::origins; faces without a colour are coloured by it
   std::uint32_t origin_face = 0;  ///< index of the face in that input
@@ -41,9 +41,9 @@ struct ViewPart {
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counterclockwise seen from outside
   std::vector<std::uint32_t> triangle_face;             ///< index into faces, one per triangle
   std::vector<ViewFace> faces;
-  std::vector<std::string> plane_texts;                 ///< empty, or per face: the exact equation, shown as it stands
-  std::vector<ViewOrigin> more_origins;                 ///< in any order
-  std::vector<std::array<std::uint32_t, 2>> edges;      ///< edges of faces, drawn as lines; not those inside faces
+  std::vector<std::string> plane_texts;             ///< empty, or per face: the exact equation, shown as it stands
+  std::vector<ViewOrigin> more_origins;             ///< in any order
+  std::vector<std::array<std::uint32_t, 2>> edges;  ///< edges of faces, drawn as lines; not those inside faces
   std::vector<ViewFact> facts;
 };
 
