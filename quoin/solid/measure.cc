@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quoin/solid/measure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "quoin/base/parallel.h"
+
+namespace quoin {
+
+namespace {
+
+RationalPoint3 cross(const RationalPoint3& a, const RationalPoint3& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+Rational dot(const RationalPoint3& a, const RationalPoint3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+RationalPoint3 minus(const RationalPoint3& a, const RationalPoint3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+
+void add(RationalPoint3& sum, const RationalPoint3& p) {
+  sum.x += p.x;
+  sum.y += p.y;
+  sum.z += p.z;
+}
+
+template <class Visit>
+void for_each_loop(const Brep& b, std::uint32_t face, const Visit& visit) {
+  for (std::uint32_t l = b.face_first_loop[face]; l < b.face_first_loop[face + 1]; ++l) visit(b.loop(l));
+}
+
+// Sum in a balanced tree, so that long denominators meet late.
+Rational sum(std::vector<Rational> terms) {
+  if (terms.empty()) return Rational(0);
+  for (std::size_t width = 1; width < terms.size(); width *= 2) {
+    for (std::size_t i = 0; i + width < terms.size(); i += 2 * width) terms[i] += terms[i + width];
+  }
+  return std::move(terms.front());
+}
+
+// Six times the signed volume between the origin and the face.
+Rational cone_volume(const Brep& boundary, std::uint32_t face) {
+  Rational total(0);
+  for_each_loop(boundary, face, [&](std::span<const PointId> loop) {
+    if (loop.size() < 3) return;
+    const RationalPoint3 apex = boundary.points.exact(loop[0]);
+    RationalPoint3 previous = boundary.points.exact(loop[1]);
+    for (std::size_t i = 2; i < loop.size(); ++i) {
+      RationalPoint3 here = boundary.points.exact(loop[i]);
+      total += dot(apex, cross(previous, here));
+      previous = std::move(here);
+    }
+  });
+  return total;
+}
+
+std::vector<Rational> cone_volumes(const Brep& boundary, const Context& context) {
+  std::vector<Rational> terms(boundary.face_count());
+  for_each_chunk(context, terms.size(), 256, [&](const Chunk& chunk) {
+    for (std::size_t f = chunk.begin; f < chunk.end; ++f) terms[f] = cone_volume(boundary, static_cast<std::uint32_t>(f));
+  });
+  return terms;
+}
+
+// floor(value * 2^bits)
+Integer fixed_point(const Rational& value, long bits) {
+  Integer p = value.numerator();
+  Integer q = value.denominator();
+  if (bits >= 0) {
+    p <<= static_cast<std::size_t>(bits);
+  } else {
+    q <<= static_cast<std::size_t>(-bits);
+  }
+  mpz_fdiv_q(p.raw(), p.raw(), q.raw());
+  return p;
+}
+
+Rational from_fixed_point(const Integer& value, long bits) {
+  return bits >= 0 ? Rational(value, Integer(1) << static_cast<std::size_t>(bits))
+                   : Rational(value << static_cast<std::size_t>(-bits));
+}
+
+// Six times the first moments of the cone between the origin and the face are 1/4 (a + b + c) times its volume.
+RationalPoint3 cone_moment(const Brep& boundary, std::uint32_t face) {
+  RationalPoint3 total{0, 0, 0};
+  for_each_loop(boundary, face, [&](std::span<const PointId> loop) {
+    if (loop.size() < 3) return;
+    const RationalPoint3 apex = boundary.points.exact(loop[0]);
+    RationalPoint3 previous = boundary.points.exact(loop[1]);
+    for (std::size_t i = 2; i < loop.size(); ++i) {
+      RationalPoint3 here = boundary.points.exact(loop[i]);
+      const Rational weight = dot(apex, cross(previous, here));
+      add(total, {weight * (apex.x + previous.x + here.x), weight * (apex.y + previous.y + here.y),
+                  weight * (apex.z + previous.z + here.z)});
+      previous = std::move(here);
+    }
+  });
+  return total;
+}
+
+}  // namespace
+
+Rational volume(const Brep& boundary, const Context& context) {
+  return sum(cone_volumes(boundary, context)) / Rational(6);
+}
+
+double rounded_volume(const Brep& boundary, const Context& context) {
+  const std::vector<Rational> terms = cone_volumes(boundary, context);
+  // Each term is below its exact value by less than one unit, so the sum by less than their number.
+  long bits = 128;
+  for (const Rational& term : terms) {
+    const auto size = static_cast<long>(term.numerator().bit_length()) - static_cast<long>(term.denominator().bit_length());
+    if (term.sign() != Sign::zero) bits = std::max(bits, std::min(128 - size, 4096L));
+  }
+  for (int attempt = 0; attempt < 6; ++attempt, bits *= 2) {
+    Integer low(0);
+    for (const Rational& term : terms) low += fixed_point(term, bits);
+    const Integer high = low + Integer(static_cast<std::int64_t>(terms.size()));
+    const double below = (from_fixed_point(low, bits) / Rational(6)).to_double();
+    const double above = (from_fixed_point(high, bits) / Rational(6)).to_double();
+    if (below == above) return below;
+    context.poll();
+  }
+  return (sum(terms) / Rational(6)).to_double();
+}
+
+std::optional<RationalPoint3> centroid(const Brep& boundary, const Context& context) {
+  const Rational six_volumes = sum(cone_volumes(boundary, context));
+  if (six_volumes.sign() == Sign::zero) return std::nullopt;
+  std::vector<Rational> x(boundary.face_count());
+  std::vector<Rational> y(boundary.face_count());
+  std::vector<Rational> z(boundary.face_count());
+  for_each_chunk(context, x.size(), 256, [&](const Chunk& chunk) {
+    for (std::size_t f = chunk.begin; f < chunk.end; ++f) {
+      RationalPoint3 moment = cone_moment(boundary, static_cast<std::uint32_t>(f));
+      x[f] = std::move(moment.x);
+      y[f] = std::move(moment.y);
+      z[f] = std::move(moment.z);
+    }
+  });
+  const Rational scale = Rational(4) * six_volumes;
+  return RationalPoint3{sum(std::move(x)) / scale, sum(std::move(y)) / scale, sum(std::move(z)) / scale};
+}
+
+RationalPoint3 area_vector(const Brep& boundary, std::uint32_t face) {
+  RationalPoint3 twice{0, 0, 0};
+  for_each_loop(boundary, face, [&](std::span<const PointId> loop) {
+    const RationalPoint3 apex = boundary.points.exact(loop[0]);
+    for (std::size_t i = 2; i < loop.size(); ++i) {
+      add(twice, cross(minus(boundary.points.exact(loop[i - 1]), apex), minus(boundary.points.exact(loop[i]), apex)));
+    }
+  });
+  const Rational half(0.5);
+  return {twice.x * half, twice.y * half, twice.z * half};
+}
+
+double surface_area(const Brep& boundary, const Context& context) {
+  std::vector<double> areas(boundary.face_count());
+  for_each_chunk(context, areas.size(), 256, [&](const Chunk& chunk) {
+    for (std::size_t f = chunk.begin; f < chunk.end; ++f) {
+      const RationalPoint3 v = area_vector(boundary, static_cast<std::uint32_t>(f));
+      areas[f] = std::hypot(v.x.to_double(), v.y.to_double(), v.z.to_double());
+    }
+  });
+  double total = 0;
+  for (const double area : areas) total += area;
+  return total;
+}
+
+std::optional<Bounds> bounds(const Brep& boundary) {
+  if (boundary.loop_vertices.empty()) return std::nullopt;
+  Bounds box{boundary.points.rounded(boundary.loop_vertices[0]), boundary.points.rounded(boundary.loop_vertices[0])};
+  for (const PointId id : boundary.loop_vertices) {
+    const Point3& p = boundary.points.rounded(id);
+    for (std::size_t k = 0; k < 3; ++k) {
+      box.lo[k] = std::min(box.lo[k], p[k]);
+      box.hi[k] = std::max(box.hi[k], p[k]);
+    }
+  }
+  return box;
+}
+
+}  // namespace quoin

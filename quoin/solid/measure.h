@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "quoin/base/context.h"
+#include "quoin/kernel/rational_point.h"
+#include "quoin/solid/brep.h"
+
+namespace quoin {
+
+/// Volume enclosed by the boundary, in cubic units; exact. Negative for the boundary of an unbounded set: minus the volume left out.
+///
+/// A rational whose length grows with the number of constructed vertices: O(n) terms, added pairwise in a tree.
+Rational volume(const Brep& boundary, const Context& context);
+
+/// The same, correctly rounded to the nearest double: fixed-point sums with a bound on their error, widened until
+/// the rounding is certain. Fast for any size.
+double rounded_volume(const Brep& boundary, const Context& context);
+
+/// Centroid of the enclosed set; exact, at the cost of `volume`. Nothing when the volume is zero.
+std::optional<RationalPoint3> centroid(const Brep& boundary, const Context& context);
+
+/// Vector along the outward normal whose length is the area of the face; exact.
+RationalPoint3 area_vector(const Brep& boundary, std::uint32_t face);
+
+/// Sum of the lengths of the area vectors, each correct to 2 ulp.
+double surface_area(const Brep& boundary, const Context& context);
+
+/// Smallest box around the boundary, by its corners; rounded coordinates, so nearest doubles of the exact box. Nothing without faces.
+struct Bounds {
+  Point3 lo;
+  Point3 hi;
+};
+std::optional<Bounds> bounds(const Brep& boundary);
+
+}  // namespace quoin
