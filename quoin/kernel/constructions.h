@@ -80,6 +80,8 @@ class Constructions {
   /// the point's value alone, so equal points have equal rounded coordinates.
   const Point3& rounded(PointId point) const;
   RationalPoint3 exact(PointId point) const;
+  /// Whether the rounded coordinates are the exact ones.
+  bool is_exact(PointId point) const;
 
   // Predicates on explicit points.
   /// Sign of det(b - a, c - a, d - a).

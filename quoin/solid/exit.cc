@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quoin/solid/exit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "quoin/base/parallel.h"
+#include "quoin/solid/exit_check.h"
+#include "quoin/solid/exit_triangulation.h"
+#include "quoin/solid/leaf.h"
+#include "quoin/solid/overlay/overlay.h"
+
+namespace quoin {
+
+namespace {
+
+struct Positions {
+  std::vector<Point3> points;  // per point of the boundary
+  std::vector<bool> moved;
+  std::size_t moved_count = 0;
+  double displacement = 0;     // largest move of a coordinate
+};
+
+double nearest(double value, Precision precision) {
+  return precision == Precision::binary32 ? static_cast<double>(static_cast<float>(value)) : value;
+}
+
+double spacing(double value) {
+  const double x = std::fabs(value);
+  return std::nextafter(x, std::numeric_limits<double>::infinity()) - x;
+}
+
+// Nearest positions; a constructed coordinate that is no double moves by at most half the spacing there.
+Positions round_points(const Brep& boundary, Precision precision) {
+  const Constructions& table = boundary.points;
+  Positions result;
+  result.points.resize(table.point_count());
+  result.moved.assign(table.point_count(), false);
+  for (std::size_t i = 0; i < table.point_count(); ++i) {
+    const PointId id{i};
+    const Point3& near = table.rounded(id);
+    double move = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      result.points[i][k] = nearest(near[k], precision);
+      move = std::max(move, std::fabs(result.points[i][k] - near[k]));
+    }
+    if (!table.is_exact(id)) {
+      for (std::size_t k = 0; k < 3; ++k) move = std::max(move, std::fabs(result.points[i][k] - near[k]) + spacing(near[k]) / 2);
+    }
+    if (move > 0) {
+      result.moved[i] = true;
+      ++result.moved_count;
+      result.displacement = std::max(result.displacement, move);
+    }
+  }
+  return result;
+}
+
+// Keeps only the vertices that triangles name.
+void compact_vertices(Triangulated& result, const std::vector<Point3>& points) {
+  std::vector<std::uint32_t> number(points.size(), 0xFFFFFFFFU);
+  result.vertices.clear();
+  for (const Tile& t : result.triangles) {
+    for (const std::uint32_t v : t) number[v] = 0;
+  }
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    if (number[v] != 0) continue;
+    number[v] = static_cast<std::uint32_t>(result.vertices.size());
+    result.vertices.push_back(points[v]);
+  }
+  for (Tile& t : result.triangles) {
+    for (std::uint32_t& v : t) v = number[v];
+  }
+}
+
+// A uniform grid of cells whose size is a power of two.
+class SnapGrid {
+ public:
+  SnapGrid(std::span<const Point3> points, int bits) {
+    double largest = 0;
+    for (const Point3& p : points) largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+    int exponent = 0;
+    std::frexp(largest, &exponent);
+    cell_ = std::ldexp(1.0, std::max(exponent - bits, -1070));
+  }
+
+  double cell() const { return cell_; }
+  double snap(double x) const { return std::nearbyint(x / cell_) * cell_; }
+  Point3 snap(const Point3& p) const { return {snap(p.x), snap(p.y), snap(p.z)}; }
+
+ private:
+  double cell_;
+};
+
+struct PointLess {
+  bool operator()(const Point3& a, const Point3& b) const { return lexicographically_less(a, b); }
+};
+
+// One round of snap rounding: the vertices of crossing triangles, and all others in their cells, go to the cells' centres.
+double snap_crossing(std::vector<Point3>& points, std::span<const Tile> triangles, std::span<const TilePair> crossings,
+                     const SnapGrid& grid) {
+  std::set<Point3, PointLess> cells;
+  for (const TilePair& pair : crossings) {
+    for (const std::uint32_t t : {pair.a, pair.b}) {
+      for (const std::uint32_t v : triangles[t]) cells.insert(grid.snap(points[v]));
+    }
+  }
+  double displacement = 0;
+  for (Point3& p : points) {
+    const Point3 snapped = grid.snap(p);
+    if (!cells.contains(snapped)) continue;
+    for (std::size_t k = 0; k < 3; ++k) displacement = std::max(displacement, std::fabs(snapped[k] - p[k]));
+    p = snapped;
+  }
+  return displacement;
+}
+
+// The points of positive winding number of triangles that may cross each other.
+Brep resolve(const std::vector<Point3>& points, std::span<const Tile> triangles, const Context& context) {
+  Mesh mesh;
+  std::vector<std::uint32_t> representative(points.size());
+  std::vector<std::uint32_t> order(points.size());
+  for (std::uint32_t v = 0; v < order.size(); ++v) order[v] = v;
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    if (points[a] != points[b]) return lexicographically_less(points[a], points[b]);
+    return a < b;
+  });
+  for (const std::uint32_t v : order) {
+    if (mesh.vertices.empty() || mesh.vertices.back() != points[v]) mesh.vertices.push_back(points[v]);
+    representative[v] = static_cast<std::uint32_t>(mesh.vertices.size() - 1);
+  }
+  for (const Tile& t : triangles) mesh.add_face(Tile{representative[t[0]], representative[t[1]], representative[t[2]]});
+  const LeafResult leaf = make_leaf(mesh, {.max_listed = 0, .find_crossings = false}, context);
+  if (!leaf.leaf) return {};
+  const std::shared_ptr<const Leaf> leaves[] = {leaf.leaf};
+  return overlay_boundary(leaves, Expression::leaf(0), context);
+}
+
+}  // namespace
+
+Triangulated triangulate_boundary(const Brep& boundary, const ExitOptions& options, const Context& context) {
+  context.progress("rounding", 0);
+  Triangulated result;
+  const Brep* current = &boundary;
+  Brep resolved;
+  std::vector<std::uint32_t> face_before;  // of the boundary, per triangle of the round before
+  int bits = 24;
+  for (unsigned round = 0;; ++round) {
+    const Positions positions = round_points(*current, options.precision);
+    FaceTriangles faces = triangulate_faces(*current, positions.points, context);
+    result.triangles = std::move(faces.triangles);
+    result.triangle_face = std::move(faces.triangle_face);
+    if (round > 0) {
+      for (std::uint32_t& f : result.triangle_face) f = face_before[current->origins[current->face_first_origin[f]].face];
+    }
+    result.max_displacement += positions.displacement;
+    result.moved_vertices = std::max(result.moved_vertices, positions.moved_count);
+    result.rounds = round;
+    result.crossings.clear();
+    if (positions.moved_count == 0 && faces.failed_faces.empty()) {
+      result.rounding = round == 0 ? Rounding::exact : Rounding::certified;
+      compact_vertices(result, positions.points);
+      return result;
+    }
+    result.crossings = find_crossings(positions.points, result.triangles, positions.moved, context);
+    if (result.crossings.empty() && faces.failed_faces.empty()) {
+      result.rounding = Rounding::certified;
+      compact_vertices(result, positions.points);
+      return result;
+    }
+    if (round == options.max_rounds) {
+      result.rounding = Rounding::failed;
+      if (result.crossings.size() > options.max_listed) result.crossings.resize(options.max_listed);
+      compact_vertices(result, positions.points);
+      return result;
+    }
+    std::vector<Point3> points = positions.points;
+    const SnapGrid grid(points, bits);
+    if (round % 2 == 1) bits -= 4;
+    result.max_displacement += snap_crossing(points, result.triangles, result.crossings, grid);
+    face_before = result.triangle_face;
+    resolved = resolve(points, result.triangles, context);
+    current = &resolved;
+  }
+}
+
+}  // namespace quoin

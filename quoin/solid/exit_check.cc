@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quoin/solid/exit_check.h"
+
+#include <algorithm>
+
+#include "quoin/base/parallel.h"
+#include "quoin/solid/overlay/contacts.h"
+
+namespace quoin {
+
+namespace {
+
+class CrossingFinder {
+ public:
+  CrossingFinder(std::span<const Point3> vertices, std::span<const Tile> triangles, const std::vector<bool>& moved,
+                 const Context& context)
+      : vertices_(vertices), triangles_(triangles), moved_(moved), context_(context) {}
+
+  std::vector<TilePair> run() {
+    gather_moved();
+    if (moved_triangles_.empty()) return {};
+    find_pairs();
+    keep_crossing();
+    return std::move(pairs_);
+  }
+
+ private:
+  bool has_moved(const Tile& t) const { return moved_[t[0]] || moved_[t[1]] || moved_[t[2]]; }
+
+  void gather_moved() {
+    for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
+      if (!has_moved(triangles_[t])) continue;
+      moved_triangles_.push_back(t);
+      tiles_.push_back(triangles_[t]);
+    }
+    tree_ = BoxTree(vertices_, tiles_, context_);
+  }
+
+  // Moved against moved, each pair once, and against the others.
+  void find_pairs() {
+    for (const TilePair& pair : tree_.self_pairs(context_)) pairs_.push_back({moved_triangles_[pair.a], moved_triangles_[pair.b]});
+    constexpr std::size_t grain = 8192;
+    std::vector<std::vector<TilePair>> found(chunk_count(triangles_.size(), grain));
+    for_each_chunk(context_, triangles_.size(), grain, [&](const Chunk& chunk) {
+      std::vector<std::uint32_t> hits;
+      for (auto t = static_cast<std::uint32_t>(chunk.begin); t < chunk.end; ++t) {
+        if (has_moved(triangles_[t])) continue;
+        hits.clear();
+        find_moved_near(triangles_[t], hits);
+        for (const std::uint32_t h : hits) found[chunk.index].push_back({moved_triangles_[h], t});
+      }
+    });
+    for (const auto& part : found) pairs_.insert(pairs_.end(), part.begin(), part.end());
+  }
+
+  void find_moved_near(const Tile& t, std::vector<std::uint32_t>& hits) const {
+    Point3 lo = vertices_[t[0]];
+    Point3 hi = lo;
+    for (const std::uint32_t v : t) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        lo[k] = std::min(lo[k], vertices_[v][k]);
+        hi[k] = std::max(hi[k], vertices_[v][k]);
+      }
+    }
+    tree_.tiles_in_box(lo, hi, hits);
+  }
+
+  // The points of the pairs alone make the table, so that its grid is not wider than need be.
+  void keep_crossing() {
+    std::vector<std::uint32_t> used;
+    for (const TilePair& pair : pairs_) {
+      for (const std::uint32_t t : {pair.a, pair.b}) used.insert(used.end(), triangles_[t].begin(), triangles_[t].end());
+    }
+    for (const Tile& t : tiles_) used.insert(used.end(), t.begin(), t.end());
+    std::sort(used.begin(), used.end());
+    used.erase(std::unique(used.begin(), used.end()), used.end());
+    std::vector<Point3> points;
+    points.reserve(used.size());
+    for (const std::uint32_t v : used) points.push_back(vertices_[v]);
+    scene_.table = Constructions(std::move(points));
+    add_facets(used);
+    constexpr std::size_t grain = 2048;
+    std::vector<std::vector<TilePair>> found(chunk_count(pairs_.size(), grain));
+    for_each_chunk(context_, pairs_.size(), grain, [&](const Chunk& chunk) {
+      overlay::Contacts contacts;
+      for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+        if (cross(pairs_[i], contacts)) found[chunk.index].push_back({std::min(pairs_[i].a, pairs_[i].b), std::max(pairs_[i].a, pairs_[i].b)});
+      }
+    });
+    pairs_.clear();
+    add_flat_triangles();
+    for (const auto& part : found) pairs_.insert(pairs_.end(), part.begin(), part.end());
+    std::sort(pairs_.begin(), pairs_.end());
+  }
+
+  void add_facets(const std::vector<std::uint32_t>& used) {
+    facet_of_.assign(triangles_.size(), overlay::none);
+    const auto add = [&](std::uint32_t t) {
+      if (facet_of_[t] != overlay::none) return;
+      facet_of_[t] = static_cast<std::uint32_t>(scene_.facets.size());
+      overlay::Facet facet{t, 0, {}};
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto at = std::lower_bound(used.begin(), used.end(), triangles_[t][k]) - used.begin();
+        facet.corners[k] = PointId{static_cast<std::size_t>(at)};
+      }
+      scene_.facets.push_back(facet);
+    };
+    for (const std::uint32_t t : moved_triangles_) add(t);
+    for (const TilePair& pair : pairs_) {
+      add(pair.a);
+      add(pair.b);
+    }
+  }
+
+  bool is_flat(const overlay::Facet& f) const {
+    for (unsigned axis = 0; axis < 3; ++axis) {
+      if (scene_.table.turn(f.corners[0], f.corners[1], f.corners[2], axis) != Sign::zero) return false;
+    }
+    return true;
+  }
+
+  void add_flat_triangles() {
+    for (const std::uint32_t t : moved_triangles_) {
+      if (is_flat(scene_.facets[facet_of_[t]])) pairs_.push_back({t, t});
+    }
+  }
+
+  bool cross(const TilePair& pair, overlay::Contacts& contacts) const {
+    const overlay::Facet& a = scene_.facets[facet_of_[pair.a]];
+    const overlay::Facet& b = scene_.facets[facet_of_[pair.b]];
+    std::size_t shared = 0;
+    for (const PointId p : a.corners) {
+      for (const PointId q : b.corners) {
+        if (p == q) {
+          ++shared;
+        } else if (scene_.table.rounded(p) == scene_.table.rounded(q)) {
+          return true;
+        }
+      }
+    }
+    if (shared == 3) return true;
+    if (is_flat(a) || is_flat(b)) return false;  // listed by itself
+    contacts.keys.clear();
+    contacts.edge_points.clear();
+    contacts.facet_points.clear();
+    contacts.traces.clear();
+    contacts.coplanar.clear();
+    overlay::find_contacts(scene_, {facet_of_[pair.a], facet_of_[pair.b]}, contacts);
+    return !contacts.edge_points.empty() || !contacts.facet_points.empty() || !contacts.traces.empty();
+  }
+
+  std::span<const Point3> vertices_;
+  std::span<const Tile> triangles_;
+  const std::vector<bool>& moved_;
+  const Context& context_;
+  std::vector<std::uint32_t> moved_triangles_;
+  std::vector<Tile> tiles_;  // those
+  BoxTree tree_;             // of those
+  std::vector<TilePair> pairs_;
+  overlay::Scene scene_;
+  std::vector<std::uint32_t> facet_of_;
+};
+
+}  // namespace
+
+std::vector<TilePair> find_crossings(std::span<const Point3> vertices, std::span<const Tile> triangles,
+                                     const std::vector<bool>& moved, const Context& context) {
+  return CrossingFinder(vertices, triangles, moved, context).run();
+}
+
+}  // namespace quoin

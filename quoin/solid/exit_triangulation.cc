@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quoin/solid/exit_triangulation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "quoin/base/parallel.h"
+#include "quoin/triangulation/polygon.h"
+
+namespace quoin {
+
+namespace {
+
+// Coordinates (u, v) of a projection in which the face's outline turns counterclockwise.
+struct Projection {
+  unsigned u;
+  unsigned v;
+};
+
+Projection projection_of(const Constructions& table, const std::array<PointId, 3>& plane) {
+  const Point3& a = table.rounded(plane[0]);
+  const Point3& b = table.rounded(plane[1]);
+  const Point3& c = table.rounded(plane[2]);
+  Projection best{0, 1};
+  double size = -1;
+  for (unsigned axis = 0; axis < 3; ++axis) {
+    const unsigned u = (axis + 1) % 3;
+    const unsigned v = (axis + 2) % 3;
+    const double s = std::fabs((b[u] - a[u]) * (c[v] - a[v]) - (b[v] - a[v]) * (c[u] - a[u]));
+    if (s <= size) continue;
+    const Sign turn = table.turn(plane[0], plane[1], plane[2], axis);
+    if (turn == Sign::zero) continue;
+    size = s;
+    best = turn == Sign::positive ? Projection{u, v} : Projection{v, u};
+  }
+  return best;
+}
+
+class FaceTriangulator {
+ public:
+  FaceTriangulator(const Brep& boundary, std::span<const Point3> positions, FaceTriangles& out)
+      : boundary_(boundary), positions_(positions), out_(out) {}
+
+  void run(std::uint32_t face) {
+    const std::uint32_t first_loop = boundary_.face_first_loop[face];
+    const std::uint32_t end_loop = boundary_.face_first_loop[face + 1];
+    if (end_loop - first_loop == 1 && boundary_.loop(first_loop).size() == 3 && add_triangle(face, boundary_.loop(first_loop))) {
+      return;
+    }
+    gather(face, first_loop, end_loop);
+    triangles_.clear();
+    const bool is_simple = triangulate_polygon(points_, loop_points_, loop_begin_, triangles_);
+    if (!is_simple) {
+      out_.failed_faces.push_back(face);
+      add_fans(first_loop, end_loop);
+    }
+    for (const PolygonTriangle& t : triangles_) {
+      out_.triangles.push_back({ids_[t[0]], ids_[t[1]], ids_[t[2]]});
+    }
+    out_.triangle_face.resize(out_.triangles.size(), face);
+  }
+
+ private:
+  // A triangle needs no projection where no vertex has moved: its area is not zero.
+  bool add_triangle(std::uint32_t face, std::span<const PointId> loop) {
+    const std::size_t explicit_count = boundary_.points.explicit_count();
+    for (const PointId p : loop) {
+      if (p.value >= explicit_count || positions_[p.value] != boundary_.points.rounded(p)) return false;
+    }
+    out_.triangles.push_back({loop[0].value, loop[1].value, loop[2].value});
+    out_.triangle_face.push_back(face);
+    return true;
+  }
+
+  void gather(std::uint32_t face, std::uint32_t first_loop, std::uint32_t end_loop) {
+    const Projection projection = projection_of(boundary_.points, boundary_.face_planes[face]);
+    ids_.clear();
+    for (std::uint32_t l = first_loop; l < end_loop; ++l) {
+      for (const PointId p : boundary_.loop(l)) ids_.push_back(p.value);
+    }
+    if (ids_.size() > 4) {
+      std::sort(ids_.begin(), ids_.end());
+      ids_.erase(std::unique(ids_.begin(), ids_.end()), ids_.end());
+    }
+    points_.clear();
+    for (const std::uint32_t id : ids_) points_.push_back({positions_[id][projection.u], positions_[id][projection.v]});
+    loop_points_.clear();
+    loop_begin_.assign(1, 0);
+    for (std::uint32_t l = first_loop; l < end_loop; ++l) {
+      for (const PointId p : boundary_.loop(l)) loop_points_.push_back(index_of(p.value));
+      loop_begin_.push_back(static_cast<std::uint32_t>(loop_points_.size()));
+    }
+  }
+
+  std::uint32_t index_of(std::uint32_t id) const {
+    if (ids_.size() <= 4) return static_cast<std::uint32_t>(std::find(ids_.begin(), ids_.end(), id) - ids_.begin());
+    return static_cast<std::uint32_t>(std::lower_bound(ids_.begin(), ids_.end(), id) - ids_.begin());
+  }
+
+  void add_fans(std::uint32_t first_loop, std::uint32_t end_loop) {
+    for (std::uint32_t l = first_loop; l < end_loop; ++l) {
+      const auto loop = boundary_.loop(l);
+      for (std::size_t i = 2; i < loop.size(); ++i) {
+        const PolygonTriangle t{index_of(loop[0].value), index_of(loop[i - 1].value), index_of(loop[i].value)};
+        if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) triangles_.push_back(t);
+      }
+    }
+  }
+
+  const Brep& boundary_;
+  std::span<const Point3> positions_;
+  FaceTriangles& out_;
+  std::vector<std::uint32_t> ids_;
+  std::vector<Point2> points_;
+  std::vector<std::uint32_t> loop_points_;
+  std::vector<std::uint32_t> loop_begin_;
+  std::vector<PolygonTriangle> triangles_;
+};
+
+}  // namespace
+
+FaceTriangles triangulate_faces(const Brep& boundary, std::span<const Point3> positions, const Context& context) {
+  constexpr std::size_t grain = 4096;
+  std::vector<FaceTriangles> parts(chunk_count(boundary.face_count(), grain));
+  for_each_chunk(context, boundary.face_count(), grain, [&](const Chunk& chunk) {
+    FaceTriangulator triangulator(boundary, positions, parts[chunk.index]);
+    for (std::size_t f = chunk.begin; f < chunk.end; ++f) {
+      if (f % 256 == 0) context.poll();
+      triangulator.run(static_cast<std::uint32_t>(f));
+    }
+  });
+  FaceTriangles all;
+  std::size_t count = 0;
+  for (const FaceTriangles& part : parts) count += part.triangles.size();
+  all.triangles.reserve(count);
+  all.triangle_face.reserve(count);
+  for (const FaceTriangles& part : parts) {
+    all.triangles.insert(all.triangles.end(), part.triangles.begin(), part.triangles.end());
+    all.triangle_face.insert(all.triangle_face.end(), part.triangle_face.begin(), part.triangle_face.end());
+    all.failed_faces.insert(all.failed_faces.end(), part.failed_faces.begin(), part.failed_faces.end());
+  }
+  return all;
+}
+
+}  // namespace quoin
