@@ -18,13 +18,13 @@ using ViewFact = std::pair<std::string, std::string>;
 
 /// A face as the view shows it; its triangles are those of the part that name it in `triangle_face`.
 struct ViewFace {
-  /// a x + b y + c z + d = 0 with (a, b, c) pointing outward, of any length; all zero: not known, the view then says so
-  /// and shows the plane of the triangle that was picked.
+  /// (a, b, c, d): a x + b y + c z = d with (a, b, c) pointing outward, of any length. All zero: not known; the view
+  /// then shows the plane of the triangle that was picked, as rounded.
   std::array<double, 4> plane{};
   std::uint32_t origin = 0;       ///< index into ViewScene::origins; faces without a colour are coloured by it
   std::uint32_t origin_face = 0;  ///< index of the face in that input
   std::uint32_t piece = 0;        ///< faces of a part with equal number move together in the exploded view
-  std::optional<Color> color;
+  std::optional<Color> color{};
 };
 
 /// A further input face that a face lies on, besides the one its ViewFace names.
@@ -36,24 +36,24 @@ struct ViewOrigin {
 
 /// One object of the scene, which can be hidden and shown by its name.
 struct ViewPart {
-  std::string name;
-  std::vector<Point3> vertices;                         ///< finite
-  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counterclockwise seen from outside
-  std::vector<std::uint32_t> triangle_face;             ///< index into faces, one per triangle
-  std::vector<ViewFace> faces;
-  std::vector<std::string> plane_texts;             ///< empty, or per face: the exact equation, shown as it stands
-  std::vector<ViewOrigin> more_origins;             ///< in any order
-  std::vector<std::array<std::uint32_t, 2>> edges;  ///< edges of faces, drawn as lines; not those inside faces
-  std::vector<ViewFact> facts;
+  std::string name{};
+  std::vector<Point3> vertices{};                         ///< finite
+  std::vector<std::array<std::uint32_t, 3>> triangles{};  ///< counterclockwise seen from outside
+  std::vector<std::uint32_t> triangle_face{};             ///< index into faces, one per triangle
+  std::vector<ViewFace> faces{};
+  std::vector<std::string> plane_texts{};             ///< empty, or per face: the exact equation, shown as it stands
+  std::vector<ViewOrigin> more_origins{};             ///< in any order
+  std::vector<std::array<std::uint32_t, 2>> edges{};  ///< edges of faces, drawn as lines; not those inside faces
+  std::vector<ViewFact> facts{};
 };
 
 /// What a page of the view shows.
 struct ViewScene {
-  std::string title;
-  std::string unit;                  ///< of the coordinates, for lengths: "mm"; may be empty
-  std::vector<std::string> origins;  ///< names of the inputs; the view names those beyond its end by their number
-  std::vector<ViewFact> facts;       ///< of the whole scene
-  std::vector<ViewPart> parts;
+  std::string title{};
+  std::string unit{};                  ///< of the coordinates, for lengths: "mm"; may be empty
+  std::vector<std::string> origins{};  ///< names of the inputs; the view names those beyond its end by their number
+  std::vector<ViewFact> facts{};       ///< of the whole scene
+  std::vector<ViewPart> parts{};
 };
 
 }  // namespace quoin

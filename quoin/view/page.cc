@@ -1,0 +1,363 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quoin/view/page.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include "quoin/base/error.h"
+#include "quoin/view/base64.h"
+#include "quoin/view/page_format.h"
+#include "quoin/view/scene_check.h"
+
+namespace quoin {
+
+#ifdef QUOIN_HAS_VIEW
+/// What web/ builds, defined in a generated file.
+std::string_view built_page_template();
+bool has_view() {
+  return true;
+}
+#else
+static std::string_view built_page_template() {
+  return {};
+}
+bool has_view() {
+  return false;
+}
+#endif
+
+namespace {
+
+enum class ElementType { u8, u16, u32, f32, f64 };
+
+constexpr std::string_view name_of(ElementType type) {
+  constexpr std::array<std::string_view, 5> names{"u8", "u16", "u32", "f32", "f64"};
+  return names[static_cast<std::size_t>(type)];
+}
+
+/// Centre and half size of the scene; the size is a power of two, so that dividing by it is exact.
+struct Frame {
+  Point3 center;
+  double scale = 1;
+};
+
+Frame frame_of(const ViewScene& scene) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Point3 low{infinity, infinity, infinity};
+  Point3 high{-infinity, -infinity, -infinity};
+  for (const ViewPart& part : scene.parts) {
+    for (const Point3& p : part.vertices) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        low[axis] = std::min(low[axis], p[axis]);
+        high[axis] = std::max(high[axis], p[axis]);
+      }
+    }
+  }
+  Frame frame;
+  double half_size = 0;
+  for (std::size_t axis = 0; axis < 3 && low.x <= high.x; ++axis) {
+    frame.center[axis] = low[axis] / 2 + high[axis] / 2;
+    half_size = std::max(half_size, high[axis] / 2 - low[axis] / 2);
+  }
+  if (half_size > 0) {
+    int exponent = 0;
+    std::frexp(half_size, &exponent);
+    frame.scale = std::ldexp(1.0, std::clamp(exponent, -1022, 1023));
+  }
+  return frame;
+}
+
+float relative(double x, double center, double scale) {
+  return static_cast<float>((x - center) / scale);
+}
+
+bool floats_hold(const std::vector<Point3>& vertices, const Frame& frame) {
+  const auto holds = [&](const Point3& p, std::size_t axis) {
+    const double back = frame.center[axis] + frame.scale * double{relative(p[axis], frame.center[axis], frame.scale)};
+    return back == p[axis];
+  };
+  return std::ranges::all_of(vertices, [&](const Point3& p) { return holds(p, 0) && holds(p, 1) && holds(p, 2); });
+}
+
+bool floats_hold_planes(const std::vector<ViewFace>& faces) {
+  return std::ranges::all_of(faces, [](const ViewFace& face) {
+    return std::ranges::all_of(face.plane, [](double c) { return double{static_cast<float>(c)} == c; });
+  });
+}
+
+/// Calls `visit(key, type, length, at)` for every array of the part that is not all zero, always in the same order.
+template <class Visit>
+class PartArrays {
+ public:
+  PartArrays(const ViewPart& part, const Frame& frame, Visit& visit) : part_(part), frame_(frame), visit_(visit) {}
+
+  void visit_all() {
+    visit_geometry();
+    visit_faces();
+    visit_colors();
+    visit_texts();
+  }
+
+ private:
+  template <class At>
+  void unsigned_array(std::string_view key, std::size_t length, const At& at, bool omit_zeros = false) {
+    std::uint32_t largest = 0;
+    for (std::size_t i = 0; i < length; ++i) largest = std::max(largest, at(i));
+    if (length == 0 || (omit_zeros && largest == 0)) return;
+    visit_(key,
+           largest < 1U << 8    ? ElementType::u8
+           : largest < 1U << 16 ? ElementType::u16
+                                : ElementType::u32,
+           length, at);
+  }
+
+  template <class At>
+  void real_array(std::string_view key, ElementType type, std::size_t length, const At& at) {
+    if (length > 0) visit_(key, type, length, at);
+  }
+
+  void visit_geometry() {
+    const auto& vertices = part_.vertices;
+    if (floats_hold(vertices, frame_)) {
+      real_array("vertices", ElementType::f32, 3 * vertices.size(), [&](std::size_t i) {
+        return double{relative(vertices[i / 3][i % 3], frame_.center[i % 3], frame_.scale)};
+      });
+    } else {
+      real_array("vertices", ElementType::f64, 3 * vertices.size(),
+                 [&](std::size_t i) { return vertices[i / 3][i % 3]; });
+    }
+    unsigned_array("triangles", 3 * part_.triangles.size(),
+                   [&](std::size_t i) { return part_.triangles[i / 3][i % 3]; });
+    unsigned_array("triangleFaces", part_.triangle_face.size(), [&](std::size_t i) { return part_.triangle_face[i]; });
+    unsigned_array("edges", 2 * part_.edges.size(), [&](std::size_t i) { return part_.edges[i / 2][i % 2]; });
+  }
+
+  void visit_faces() {
+    const auto& faces = part_.faces;
+    real_array("planes", floats_hold_planes(faces) ? ElementType::f32 : ElementType::f64, 4 * faces.size(),
+               [&](std::size_t i) { return faces[i / 4].plane[i % 4]; });
+    unsigned_array(
+        "faceOrigins", faces.size(), [&](std::size_t i) { return faces[i].origin; }, true);
+    unsigned_array(
+        "faceOriginFaces", faces.size(), [&](std::size_t i) { return faces[i].origin_face; }, true);
+    unsigned_array(
+        "facePieces", faces.size(), [&](std::size_t i) { return faces[i].piece; }, true);
+    unsigned_array("moreOrigins", 3 * part_.more_origins.size(), [&](std::size_t i) {
+      const ViewOrigin& more = part_.more_origins[i / 3];
+      return i % 3 == 0 ? more.face : i % 3 == 1 ? more.origin : more.origin_face;
+    });
+  }
+
+  void visit_colors() {
+    const auto& faces = part_.faces;
+    const auto is_colored = [&](std::size_t i) { return std::uint32_t{faces[i].color.has_value()}; };
+    if (std::ranges::none_of(faces, [](const ViewFace& face) { return face.color.has_value(); })) return;
+    unsigned_array("colors", 4 * faces.size(), [&](std::size_t i) -> std::uint32_t {
+      const Color color = faces[i / 4].color.value_or(Color{});
+      return i % 4 == 0 ? color.r : i % 4 == 1 ? color.g : i % 4 == 2 ? color.b : color.a;
+    });
+    unsigned_array("colored", faces.size(), is_colored);
+  }
+
+  void visit_texts() {
+    const auto& texts = part_.plane_texts;
+    std::size_t face = 0;
+    std::size_t begin = 0;
+    std::size_t total = 0;
+    for (const std::string& text : texts) total += text.size();
+    if (total == 0) return;
+    if (total > std::numeric_limits<std::uint32_t>::max()) throw InputError("view: the texts of planes exceed 4 GB");
+    const auto byte_at = [&](std::size_t i) -> std::uint32_t {
+      if (i == 0) face = begin = 0;
+      while (i - begin >= texts[face].size()) begin += texts[face++].size();
+      return static_cast<std::uint8_t>(texts[face][i - begin]);
+    };
+    visit_("planeTexts", ElementType::u8, total, byte_at);
+    std::uint32_t end = 0;
+    visit_("planeTextEnds", ElementType::u32, texts.size(), [&](std::size_t i) {
+      end = (i == 0 ? 0 : end) + static_cast<std::uint32_t>(texts[i].size());
+      return end;
+    });
+  }
+
+  const ViewPart& part_;
+  const Frame& frame_;
+  Visit& visit_;
+};
+
+template <class Visit>
+void visit_arrays(const ViewPart& part, const Frame& frame, Visit visit) {
+  PartArrays<Visit>(part, frame, visit).visit_all();
+}
+
+class PageWriter {
+ public:
+  PageWriter(std::ostream& out, const ViewScene& scene) : out_(out), scene_(scene), frame_(frame_of(scene)) {}
+
+  void write_title() {
+    const std::string_view title = scene_.title.empty() ? "Quoin" : std::string_view(scene_.title);
+    for (const char c : title) {
+      if (c == '<')
+        out_ << "&lt;";
+      else if (c == '&')
+        out_ << "&amp;";
+      else if (c != '\0')
+        out_ << c;
+    }
+  }
+
+  void write_scene() {
+    out_ << "<script type=\"application/json\" id=\"quoin-scene\">";
+    write_header();
+    out_ << "</script>\n";
+    for (const ViewPart& part : scene_.parts) write_blocks(part);
+  }
+
+ private:
+  void write_header() {
+    out_ << "{\"format\":\"quoin-scene\",\"version\":";
+    write_number(page_format::version);
+    out_ << ",\"title\":";
+    write_string(scene_.title);
+    out_ << ",\"unit\":";
+    write_string(scene_.unit);
+    out_ << ",\"facts\":";
+    write_facts(scene_.facts);
+    out_ << ",\"center\":[";
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (axis > 0) out_ << ',';
+      write_number(frame_.center[axis]);
+    }
+    out_ << "],\"scale\":";
+    write_number(frame_.scale);
+    out_ << ",\"origins\":";
+    write_list(scene_.origins, [&](const std::string& name) { write_string(name); });
+    out_ << ",\"parts\":";
+    write_list(scene_.parts, [&](const ViewPart& part) { write_part_header(part); });
+    out_ << '}';
+  }
+
+  void write_part_header(const ViewPart& part) {
+    out_ << "\n{\"name\":";
+    write_string(part.name);
+    out_ << ",\"facts\":";
+    write_facts(part.facts);
+    out_ << ",\"arrays\":{";
+    const char* separator = "";
+    visit_arrays(part, frame_, [&](std::string_view key, ElementType type, std::size_t length, const auto&) {
+      out_ << separator << '"' << key << "\":{\"type\":\"" << name_of(type) << "\",\"length\":";
+      write_number(length);
+      out_ << ",\"block\":";
+      write_number(header_blocks_++);
+      out_ << '}';
+      separator = ",";
+    });
+    out_ << "}}";
+  }
+
+  void write_blocks(const ViewPart& part) {
+    visit_arrays(part, frame_, [&](std::string_view, ElementType type, std::size_t length, const auto& at) {
+      out_ << "<script type=\"text/plain\" id=\"quoin-block-";
+      write_number(blocks_++);
+      out_ << "\">";
+      Base64Writer block(out_);
+      for (std::size_t i = 0; i < length; ++i) put(block, type, at(i));
+      block.finish();
+      out_ << "</script>\n";
+    });
+  }
+
+  template <class Value>
+  static void put(Base64Writer& block, ElementType type, Value value) {
+    switch (type) {
+      case ElementType::u8:
+        return block.put(static_cast<std::uint8_t>(value));
+      case ElementType::u16:
+        return block.put(static_cast<std::uint16_t>(value));
+      case ElementType::u32:
+        return block.put(static_cast<std::uint32_t>(value));
+      case ElementType::f32:
+        return block.put(static_cast<float>(value));
+      case ElementType::f64:
+        return block.put(static_cast<double>(value));
+    }
+  }
+
+  template <class List, class Write>
+  void write_list(const List& list, const Write& write) {
+    out_ << '[';
+    const char* separator = "";
+    for (const auto& item : list) {
+      out_ << separator;
+      write(item);
+      separator = ",";
+    }
+    out_ << ']';
+  }
+
+  void write_facts(const std::vector<ViewFact>& facts) {
+    write_list(facts, [&](const ViewFact& fact) {
+      out_ << '[';
+      write_string(fact.first);
+      out_ << ',';
+      write_string(fact.second);
+      out_ << ']';
+    });
+  }
+
+  /// As a JSON string in which no '<' can end the script element that holds it.
+  void write_string(std::string_view text) {
+    constexpr char digits[] = "0123456789abcdef";
+    out_ << '"';
+    for (const char c : text) {
+      const auto byte = static_cast<unsigned char>(c);
+      if (byte < 0x20 || c == '<' || c == '"' || c == '\\') {
+        out_ << "\\u00" << digits[byte >> 4] << digits[byte & 15];
+      } else {
+        out_ << c;
+      }
+    }
+    out_ << '"';
+  }
+
+  /// Not through operator<<, whose result depends on the stream's flags and locale.
+  template <class Number>
+  void write_number(Number value) {
+    std::array<char, 32> text;
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+    out_.write(text.data(), end - text.data());
+  }
+
+  std::ostream& out_;
+  const ViewScene& scene_;
+  Frame frame_;
+  std::size_t header_blocks_ = 0;
+  std::size_t blocks_ = 0;
+};
+
+}  // namespace
+
+void write_page(std::ostream& out, const ViewScene& scene) {
+  if (!has_view()) throw Error("the browser view was not built into this quoin (configure with -DQUOIN_VIEW=ON)");
+  write_page(out, scene, built_page_template());
+}
+
+void write_page(std::ostream& out, const ViewScene& scene, std::string_view page_template) {
+  const std::size_t title = page_template.find(page_format::title_marker);
+  const std::size_t data = page_template.find(page_format::scene_marker);
+  if (title == std::string_view::npos || data == std::string_view::npos || data < title) {
+    throw InternalError("view: the page template lacks its markers");
+  }
+  check_scene(scene);
+  PageWriter writer(out, scene);
+  out << page_template.substr(0, title);
+  writer.write_title();
+  const std::size_t after_title = title + page_format::title_marker.size();
+  out << page_template.substr(after_title, data - after_title);
+  writer.write_scene();
+  out << page_template.substr(data + page_format::scene_marker.size());
+}
+
+}  // namespace quoin

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+import { givenPlane, faceNormal } from "./part_geometry";
+import type { Part, Vec3 } from "./scene_data";
+
+const minus = (text: string) => text.replace("-", "−");
+
+/** The double itself: the shortest digits that read back as it. */
+export function exactNumber(x: number): string {
+  return minus(String(x === 0 ? 0 : x)).replace("e−", "e-").replace("e-", "e−");
+}
+
+/** Rounded for reading. */
+export function number(x: number, digits = 10): string {
+  return exactNumber(Number(x.toPrecision(digits)));
+}
+
+export function count(n: number, one: string, many = `${one}s`): string {
+  return `${n.toLocaleString("en").replaceAll(",", " ")} ${n === 1 ? one : many}`;
+}
+
+export function point(p: Vec3, isExact: boolean): string {
+  return `(${p.map((x) => (isExact ? exactNumber(x) : number(x, 7))).join(", ")})`;
+}
+
+/** a x + b y + c z = d, without terms that are zero and factors that are one. */
+export function planeEquation(plane: [number, number, number, number]): string {
+  let text = "";
+  ["x", "y", "z"].forEach((name, axis) => {
+    const factor = plane[axis];
+    if (factor === 0) return;
+    const size = Math.abs(factor) === 1 ? name : `${exactNumber(Math.abs(factor))} ${name}`;
+    if (text === "") text = factor < 0 ? `−${size}` : size;
+    else text += `${factor < 0 ? " − " : " + "}${size}`;
+  });
+  return `${text} = ${exactNumber(plane[3])}`;
+}
+
+/** The plane of a face as it was given, else that of the triangle, said to be rounded. */
+export function faceEquation(part: Part, face: number, triangle: number): string {
+  const text = part.planeText(face);
+  if (text) return text;
+  const given = givenPlane(part, face);
+  if (given) return planeEquation(given);
+  const n = faceNormal(part, face, triangle);
+  const corner = part.vertex(part.triangles[3 * triangle]);
+  const offset = n[0] * corner[0] + n[1] * corner[1] + n[2] * corner[2];
+  const rounded = [...n, offset].map((x) => Number(x.toPrecision(7)));
+  return `≈ ${planeEquation(rounded as [number, number, number, number])}`;
+}

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+// Surfaces are drawn without indices, so that gl_VertexID names the triangle and its corner; what differs per face lies
+// in textures. Normals come from screen-space derivatives. Memory per triangle on the GPU: 36 bytes and its face number.
+
+/** Width in texels of the textures that hold one entry per triangle, face or piece. */
+export const tableWidth = 4096;
+
+const tables = /* glsl */ `
+ivec2 entry(int index) { return ivec2(index & ${tableWidth - 1}, index >> ${Math.log2(tableWidth)}); }
+`;
+
+export const surfaceVertex = /* glsl */ `
+precision highp usampler2D;
+uniform usampler2D triangleFaces;
+uniform usampler2D faceTable;      // packed colour, origin, piece
+uniform sampler2D pieceOffsets;
+uniform float explode;
+uniform int highlightFace;
+uniform int hoverFace;
+uniform int highlightOrigin;
+uniform int firstTriangle;
+out vec4 vColor;
+out vec3 vMark;                    // picked, hovered, dimmed
+out vec3 vCorner;
+out vec3 vView;
+out vec3 vPlace;
+out vec4 vId;
+${tables}
+void main() {
+  int triangle = gl_VertexID / 3;
+  int corner = gl_VertexID - 3 * triangle;
+  int face = int(texelFetch(triangleFaces, entry(triangle), 0).r);
+  uvec4 info = texelFetch(faceTable, entry(face), 0);
+  vec3 place = position + explode * texelFetch(pieceOffsets, entry(int(info.b)), 0).xyz;
+  vColor = vec4(info.r & 255u, info.r >> 8 & 255u, info.r >> 16 & 255u, info.r >> 24) / 255.0;
+  vMark = vec3(face == highlightFace, face == hoverFace, highlightOrigin >= 0 && int(info.g) != highlightOrigin);
+  vCorner = vec3(corner == 0, corner == 1, corner == 2);
+  uint id = uint(firstTriangle) + uint(triangle) + 1u;
+  vId = vec4(id & 255u, id >> 8 & 255u, id >> 16 & 255u, id >> 24) / 255.0;
+  vec4 view = viewMatrix * vec4(place, 1.0);
+  vPlace = place;
+  vView = view.xyz;
+  gl_Position = projectionMatrix * view;
+}
+`;
+
+export const clipping = /* glsl */ `
+uniform vec4 cut;                  // keeps n . p <= d; n is zero when there is no cut
+bool isCutAway(vec3 place) { return dot(cut.xyz, place) > cut.w; }
+`;
+
+const color = /* glsl */ `
+vec3 toLinear(vec3 c) { return mix(pow((c + 0.055) / 1.055, vec3(2.4)), c / 12.92, vec3(lessThanEqual(c, vec3(0.04045)))); }
+vec3 toScreen(vec3 c) { return mix(1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, c * 12.92, vec3(lessThanEqual(c, vec3(0.0031308)))); }
+`;
+
+export const surfaceFragment = /* glsl */ `
+in vec4 vColor;
+in vec3 vMark;
+in vec3 vCorner;
+in vec3 vView;
+in vec3 vPlace;
+uniform float showTriangles;
+uniform vec3 accent;
+uniform float isPerspective;
+uniform float pass;                // 0: opaque faces, 1: the others
+out vec4 outColor;
+${clipping}
+${color}
+float light(vec3 n, vec3 toEye) {
+  vec3 key = normalize(vec3(-0.45, 0.75, 0.75));
+  vec3 fill = normalize(vec3(0.85, 0.1, 0.45));
+  vec3 up = normalize((viewMatrix * vec4(0.0, 0.0, 1.0, 0.0)).xyz);
+  return 0.34 + 0.1 * dot(n, up) + 0.62 * max(dot(n, key), 0.0) + 0.2 * max(dot(n, fill), 0.0) + 0.12 * max(dot(n, toEye), 0.0);
+}
+void main() {
+  if (isCutAway(vPlace)) discard;
+  if ((vColor.a > 0.998) == (pass > 0.5)) discard;
+  vec3 n = normalize(cross(dFdx(vView), dFdy(vView)));
+  vec3 toEye = isPerspective > 0.5 ? normalize(-vView) : vec3(0.0, 0.0, 1.0);
+  vec3 base = toLinear(vColor.rgb);
+  base = mix(base, vec3(dot(base, vec3(0.3, 0.5, 0.2))) * 0.6 + 0.12, 0.82 * vMark.z);
+  if (!gl_FrontFacing) base = mix(base, vec3(0.36, 0.12, 0.1), 0.7);
+  base = mix(base, accent, max(0.75 * vMark.x, 0.28 * vMark.y));
+  vec3 shaded = base * light(n, toEye);
+  vec3 halfway = normalize(normalize(vec3(-0.45, 0.75, 0.75)) + toEye);
+  shaded += 0.05 * pow(max(dot(n, halfway), 0.0), 24.0);
+  if (showTriangles > 0.5) {
+    vec3 width = fwidth(vCorner);
+    vec3 inside = smoothstep(width * 0.4, width * 1.3, vCorner);
+    shaded = mix(shaded * 0.42, shaded, min(inside.x, min(inside.y, inside.z)));
+  }
+  outColor = vec4(toScreen(shaded) , 1.0);
+  if (pass > 0.5) outColor = vec4(outColor.rgb * vColor.a, vColor.a);
+}
+`;
+
+/** Which triangle is seen, plus one; the highest bit is set where it is seen from behind. */
+export const pickFragment = /* glsl */ `
+in vec3 vPlace;
+in vec4 vId;
+out vec4 outColor;
+${clipping}
+void main() {
+  if (isCutAway(vPlace)) discard;
+  outColor = vId;
+  if (!gl_FrontFacing) outColor.a += 128.0 / 255.0;
+}
+`;
+
+/** Writes nothing but the stencil: what is left of the solid where the cut hides its boundary. */
+export const stencilFragment = /* glsl */ `
+in vec3 vPlace;
+out vec4 outColor;
+${clipping}
+void main() {
+  if (isCutAway(vPlace)) discard;
+  outColor = vec4(0.0);
+}
+`;
+
+export const capVertex = /* glsl */ `
+void main() { gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }
+`;
+
+export const capFragment = /* glsl */ `
+uniform vec3 capColor;
+uniform float hatch;               // distance of the hatching lines in pixels
+uniform float slant;
+out vec4 outColor;
+void main() {
+  float along = (gl_FragCoord.x * slant + gl_FragCoord.y) / hatch;
+  float line = abs(fract(along) - 0.5) * hatch;
+  float ink = 1.0 - smoothstep(0.35, 1.15, line * 0.7071);
+  outColor = vec4(mix(capColor, capColor * 0.62, ink), 1.0);
+}
+`;
+
+/** Segments as screen-aligned quads of constant width; cut at the near plane first, so that none turns inside out. */
+export const lineVertex = /* glsl */ `
+in vec3 start;
+in vec3 end;
+in float piece;
+uniform sampler2D pieceOffsets;
+uniform float explode;
+uniform vec2 viewport;
+uniform float width;
+uniform float near;
+uniform float isPerspective;
+uniform float fade;
+out vec3 vPlace;
+out float vOpacity;
+${tables}
+void main() {
+  vec3 offset = explode * texelFetch(pieceOffsets, entry(int(piece)), 0).xyz;
+  vec4 a = viewMatrix * vec4(start + offset, 1.0);
+  vec4 b = viewMatrix * vec4(end + offset, 1.0);
+  float tA = 0.0, tB = 1.0;
+  if (isPerspective > 0.5) {
+    if (a.z > -near && b.z < -near) tA = (-near - a.z) / (b.z - a.z);
+    if (b.z > -near && a.z < -near) tB = (-near - a.z) / (b.z - a.z);
+  }
+  vec4 clipA = projectionMatrix * mix(a, b, tA);
+  vec4 clipB = projectionMatrix * mix(a, b, tB);
+  vec2 along = (clipB.xy / clipB.w - clipA.xy / clipA.w) * viewport * 0.5;
+  float pixels = length(along);
+  vec2 across = pixels > 0.0 ? vec2(-along.y, along.x) / pixels : vec2(0.0, 1.0);
+  vec4 clip = position.x < 0.5 ? clipA : clipB;
+  clip.xy += across * position.y * width / viewport * clip.w;
+  clip.z -= 4e-5 * clip.w;
+  vPlace = mix(start, end, mix(tA, tB, position.x)) + offset;
+  vOpacity = mix(1.0, smoothstep(-2.0, 14.0, pixels), fade);
+  gl_Position = clip;
+}
+`;
+
+export const lineFragment = /* glsl */ `
+in vec3 vPlace;
+in float vOpacity;
+uniform vec4 lineColor;
+out vec4 outColor;
+${clipping}
+void main() {
+  if (isCutAway(vPlace)) discard;
+  float opacity = lineColor.a * vOpacity;
+  outColor = vec4(lineColor.rgb * opacity, opacity);
+}
+`;

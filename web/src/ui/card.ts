@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+import { faceEquation, number, point } from "../format";
+import { faceNormal } from "../part_geometry";
+import type { Hit } from "../picking";
+import { originName, type SceneData } from "../scene_data";
+import { faceArea } from "../face_area";
+import { el, icon, rows } from "./dom";
+import { icons } from "./icons";
+
+export interface FaceInfo {
+  part: string;
+  partIndex: number;
+  face: number;
+  plane: string;
+  normal: string;
+  origins: { origin: number; name: string; face: number }[];
+}
+
+const mostOrigins = 6;
+
+export function describeFace(data: SceneData, hit: Hit): FaceInfo {
+  const { part, index } = hit.mesh;
+  return {
+    part: part.name || `Part ${index}`,
+    partIndex: index,
+    face: hit.face,
+    plane: faceEquation(part, hit.face, hit.triangle),
+    normal: point(faceNormal(part, hit.face, hit.triangle), false),
+    origins: part.origins(hit.face).map(({ origin, face }) => ({ origin, face, name: originName(data, origin) })),
+  };
+}
+
+/** What is known about the picked face. */
+export class FaceCard {
+  readonly element = el("div", { class: "card glass", "aria-live": "polite", hidden: true });
+
+  constructor(
+    private readonly data: SceneData,
+    private readonly close: () => void,
+    private readonly cut: () => void,
+  ) {}
+
+  show(hit: Hit): void {
+    const info = describeFace(this.data, hit);
+    const from = el("span");
+    info.origins.slice(0, mostOrigins).forEach(({ name, face }) => from.append(el("div", {}, `${name}, face ${face}`)));
+    if (info.origins.length > mostOrigins) from.append(el("div", {}, `and ${info.origins.length - mostOrigins} more`));
+    const unit = this.data.unit ? ` ${this.data.unit}²` : "";
+    this.element.replaceChildren(
+      el(
+        "header",
+        {},
+        el("h2", {}, `Face ${info.face}`),
+        el("span", { class: "of" }, info.part),
+        el("button", { type: "button", "aria-label": "Close", onclick: () => this.close() }, icon(icons.close)),
+      ),
+      rows([
+        ["Plane", el("code", {}, info.plane)],
+        ["Normal", el("code", {}, info.normal)],
+        ["Area", `≈ ${number(faceArea(hit.mesh.part, hit.face), 7)}${unit}`],
+        ["From", from],
+      ]),
+      el("button", { type: "button", class: "action", onclick: () => this.cut() }, "Cut parallel to this face"),
+    );
+    this.element.hidden = false;
+  }
+
+  hide(): void {
+    this.element.hidden = true;
+  }
+}
