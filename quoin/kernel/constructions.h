@@ -9,6 +9,8 @@
 
 #include "quoin/base/id.h"
 #include "quoin/base/sign.h"
+#include "quoin/kernel/constructions_counts.h"
+#include "quoin/kernel/constructions_filters.h"
 #include "quoin/kernel/point.h"
 #include "quoin/kernel/rational_point.h"
 
@@ -18,7 +20,8 @@ using PointId = Id<struct PointTag>;
 using PlaneId = Id<struct PlaneTag>;
 using LineId = Id<struct LineTag>;
 
-/// Widths of the exact tier, by the bits that the coordinates of all explicit points need on their common power-of-two grid.
+/// Widths of the exact tier, by the bits that the coordinates of all explicit points need on their common power-of-two
+/// grid.
 enum class GridClass { bits30, bits61, bits124, big, rational };
 
 /// Who decided how many predicate calls; summed over threads.
@@ -27,31 +30,35 @@ struct TierCounts {
   std::uint64_t exact = 0;
 };
 
-/// A table of explicit points and of the planes, lines and points constructed from them, with the exact predicates on them.
+/// A table of explicit points and of the planes, lines and points constructed from them, with the exact predicates on
+/// them.
 ///
-/// Points [0, explicit_count()) are given; the others are constructed, never from constructed ones: depth stays one. Each
-/// construction is computed exactly once, when it is set, in the narrowest fixed-width integers that hold every value
-/// of the table's grid class (bounds derived in constructions.cc), and kept with its coordinates rounded to nearest.
-/// Predicates try a filter on the rounded values first and fall back to the exact ones; they return the true sign.
+/// Points [0, explicit_count()) are given; the others are constructed, never from constructed ones: depth stays one.
+/// Each construction is computed exactly once, when it is set, in the narrowest fixed-width integers that hold every
+/// value of the table's grid class (bounds derived in constructions.cc), and kept with its coordinates rounded to
+/// nearest. Predicates try a filter on the rounded values first and fall back to the exact ones; they return the true
+/// sign.
 ///
-/// Slots are made by `resize_*` and filled by `set_*`; setting distinct slots from several threads is safe, and so is every
-/// const member once the slots it reads are set. Axes are 0, 1, 2; "projected along axis" means onto the coordinates
-/// (axis+1, axis+2) mod 3, so that a positive turn is counterclockwise seen from the positive end of the axis.
+/// Slots are made by `resize_*` and filled by `set_*`; setting distinct slots from several threads is safe, and so is
+/// every const member once the slots it reads are set. A construction whose condition fails (collinear points, parallel
+/// planes) throws InternalError. Axes are 0, 1, 2; "projected along axis" means onto the coordinates (axis+1, axis+2)
+/// mod 3, so that a positive turn is counterclockwise seen from the positive end of the axis.
 class Constructions {
  public:
-  /// Explicit points are finite doubles. O(n), one pass to find the grid class.
+  /// Explicit points are finite doubles (-0 becomes +0). O(n), one pass to find the grid class.
+  /// @throws InputError  names the first point that is not finite
   explicit Constructions(std::vector<Point3> explicit_points);
-  /// Explicit points are rationals (solids read from the exact text form); every predicate is then exact rational arithmetic
-  /// behind the same filters (with the bound for rounded points).
+  /// Explicit points are rationals (solids read from the exact text form); every predicate is then exact rational
+  /// arithmetic behind the same filters (with the bound for rounded points).
   explicit Constructions(std::vector<RationalPoint3> explicit_points);
   Constructions(Constructions&&) noexcept;
   Constructions& operator=(Constructions&&) noexcept;
   ~Constructions();
 
-  std::size_t explicit_count() const;
-  std::size_t point_count() const;
-  std::size_t plane_count() const;
-  GridClass grid_class() const;
+  std::size_t explicit_count() const { return explicit_count_; }
+  std::size_t point_count() const { return points_.size(); }
+  std::size_t plane_count() const { return planes_.size(); }
+  GridClass grid_class() const { return grid_class_; }
 
   /// The new slots are unset. New points get ids from point_count() on.
   void resize_points(std::size_t count);
@@ -60,8 +67,8 @@ class Constructions {
 
   /// Plane through explicit points, normal (b - a) x (c - a), which must not vanish.
   void set_plane(PlaneId plane, PointId a, PointId b, PointId c);
-  /// Plane through explicit p, q parallel to the axis; its positive side is to the left of p -> q projected along the axis.
-  /// p and q must differ in that projection.
+  /// Plane through explicit p, q parallel to the axis; its positive side is to the left of p -> q projected along the
+  /// axis. p and q must differ in that projection.
   void set_axis_plane(PlaneId plane, PointId p, PointId q, unsigned axis);
 
   /// Direction q - p of explicit points.
@@ -78,7 +85,7 @@ class Constructions {
 
   /// The coordinates, each rounded to the nearest double, ties to even; exact for explicit double points. A function of
   /// the point's value alone, so equal points have equal rounded coordinates.
-  const Point3& rounded(PointId point) const;
+  const Point3& rounded(PointId point) const { return points_[point.index()]; }
   RationalPoint3 exact(PointId point) const;
   /// Whether the rounded coordinates are the exact ones.
   bool is_exact(PointId point) const;
@@ -116,11 +123,82 @@ class Constructions {
   /// A table that holds these points in this order (explicit ones must come first) and no planes or lines.
   Constructions subset(std::span<const PointId> points) const;
 
+  /// Exact while at most 16 threads have ever used tables; beyond, counts of threads that share a counter may get lost.
   TierCounts tier_counts() const;
 
  private:
-  struct Store;
+  struct Store;  // the table of exact values of the grid class
+  enum class FilterKind : std::uint8_t {
+    plain,      // explicit coordinates zero or of magnitude within [2^-330, 2^330]: products of three stay normal
+    any_range,  // explicit coordinates of any magnitude
+    rounded     // explicit points are rationals, their doubles rounded
+  };
+
+  Constructions();
+  bool is_explicit(PointId point) const { return point.index() < explicit_count_; }
+  bool has_exact_doubles(PointId point) const { return is_explicit(point) && filter_kind_ != FilterKind::rounded; }
+  void set_extent(double largest);
+  // Counts the decision; 0 is none.
+  bool is_decided(int sign) const {
+    if (sign == 0) [[unlikely]]
+      return false;
+    counter_->count_filter();
+    return true;
+  }
+
+  Sign orientation_beyond_plain(PointId a, PointId b, PointId c, PointId d) const;
+  Sign exact_orientation(PointId a, PointId b, PointId c, PointId d) const;
+  Sign exact_turn(PointId a, PointId b, PointId c, unsigned axis) const;
+  Sign exact_side(PointId point, PlaneId plane) const;
+  Sign exact_compare(PointId p, PointId q, unsigned axis) const;
+  Sign exact_turn_any(PointId a, PointId b, PointId c, unsigned axis) const;
+  Sign exact_normal_component(PlaneId plane, unsigned axis) const;
+  Sign exact_dot(PlaneId p, PlaneId q) const;
+  Sign exact_component(LineId line, unsigned axis) const;
+  Sign exact_turn(LineId a, LineId b, unsigned axis) const;
+  Sign exact_triple(LineId line, PlaneId p, PlaneId q) const;
+
+  std::vector<Point3> points_;         // rounded
+  std::vector<filter::Plane> planes_;  // rounded
+  std::vector<filter::Line> lines_;    // rounded
+  std::size_t explicit_count_ = 0;
+  double extent_ = 0;  // see filter::side
+  FilterKind filter_kind_ = FilterKind::plain;
+  GridClass grid_class_ = GridClass::bits30;
+  std::unique_ptr<detail::TierCounter> counter_;
   std::unique_ptr<Store> store_;
 };
+
+inline Sign Constructions::orientation(PointId a, PointId b, PointId c, PointId d) const {
+  if (filter_kind_ != FilterKind::plain) [[unlikely]]
+    return orientation_beyond_plain(a, b, c, d);
+  const int sign = filter::orientation(rounded(a), rounded(b), rounded(c), rounded(d));
+  return is_decided(sign) ? static_cast<Sign>(sign) : exact_orientation(a, b, c, d);
+}
+
+inline Sign Constructions::side(PointId point, PlaneId plane) const {
+  const int sign = filter::side(rounded(point), planes_[plane.index()], extent_);
+  return is_decided(sign) ? static_cast<Sign>(sign) : exact_side(point, plane);
+}
+
+inline Sign Constructions::compare(PointId p, PointId q, unsigned axis) const {
+  const double a = rounded(p)[axis];
+  const double b = rounded(q)[axis];
+  const int sign = static_cast<int>(a > b) - static_cast<int>(a < b);  // rounding is monotone
+  if (sign != 0 || (has_exact_doubles(p) && has_exact_doubles(q))) {
+    counter_->count_filter();
+    return static_cast<Sign>(sign);
+  }
+  return exact_compare(p, q, axis);
+}
+
+inline Sign Constructions::turn(LineId a, LineId b, unsigned axis) const {
+  const filter::Line& d = lines_[a.index()];
+  const filter::Line& e = lines_[b.index()];
+  const unsigned i = (axis + 1) % 3;
+  const unsigned j = (axis + 2) % 3;
+  const int sign = filter::cross(d[i], d[j], e[i], e[j]);
+  return is_decided(sign) ? static_cast<Sign>(sign) : exact_turn(a, b, axis);
+}
 
 }  // namespace quoin
