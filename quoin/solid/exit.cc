@@ -138,6 +138,21 @@ Brep resolve(const std::vector<Point3>& points, std::span<const Tile> triangles,
   return overlay_boundary(leaves, Expression::leaf(0), context);
 }
 
+// After a round of snap rounding the boundary's faces stem from triangles of the round before.
+void name_original_faces(Triangulated& result, const Brep& current, const std::vector<std::uint32_t>& face_before) {
+  if (face_before.empty()) return;
+  for (std::uint32_t& f : result.triangle_face) f = face_before[current.origins[current.face_first_origin[f]].face];
+}
+
+// A face whose outline is not simple counts as crossing itself.
+void add_failed_faces(Triangulated& result, std::span<const std::uint32_t> failed_faces) {
+  for (std::uint32_t t = 0; t < result.triangles.size(); ++t) {
+    if (std::binary_search(failed_faces.begin(), failed_faces.end(), result.triangle_face[t])) {
+      result.crossings.push_back({t, t});
+    }
+  }
+}
+
 }  // namespace
 
 Triangulated triangulate_boundary(const Brep& boundary, const ExitOptions& options, const Context& context) {
@@ -152,20 +167,20 @@ Triangulated triangulate_boundary(const Brep& boundary, const ExitOptions& optio
     FaceTriangles faces = triangulate_faces(*current, positions.points, context);
     result.triangles = std::move(faces.triangles);
     result.triangle_face = std::move(faces.triangle_face);
-    if (round > 0) {
-      for (std::uint32_t& f : result.triangle_face) f = face_before[current->origins[current->face_first_origin[f]].face];
-    }
     result.max_displacement += positions.displacement;
     result.moved_vertices = std::max(result.moved_vertices, positions.moved_count);
     result.rounds = round;
     result.crossings.clear();
     if (positions.moved_count == 0 && faces.failed_faces.empty()) {
+      name_original_faces(result, *current, face_before);
       result.rounding = round == 0 ? Rounding::exact : Rounding::certified;
       compact_vertices(result, positions.points);
       return result;
     }
     result.crossings = find_crossings(positions.points, result.triangles, positions.moved, context);
-    if (result.crossings.empty() && faces.failed_faces.empty()) {
+    add_failed_faces(result, faces.failed_faces);
+    name_original_faces(result, *current, face_before);
+    if (result.crossings.empty()) {
       result.rounding = Rounding::certified;
       compact_vertices(result, positions.points);
       return result;

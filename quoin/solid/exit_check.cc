@@ -144,7 +144,7 @@ class CrossingFinder {
     contacts.edge_points.clear();
     contacts.facet_points.clear();
     contacts.traces.clear();
-    contacts.coplanar.clear();
+    contacts.adjoining.clear();
     overlay::find_contacts(scene_, {facet_of_[pair.a], facet_of_[pair.b]}, contacts);
     return !contacts.edge_points.empty() || !contacts.facet_points.empty() || !contacts.traces.empty();
   }

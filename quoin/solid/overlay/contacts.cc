@@ -94,7 +94,7 @@ DirectedEdge rising_edge(const Facet& facet, const Signs& signs, Place place) {
 class PairOfFacets {
  public:
   PairOfFacets(const Scene& scene, FacetPair pair, Contacts& out)
-      : table_(scene.table), pair_(pair), s_(scene.facets[pair.a]), t_(scene.facets[pair.b]), out_(out) {}
+      : scene_(scene), table_(scene.table), pair_(pair), s_(scene.facets[pair.a]), t_(scene.facets[pair.b]), out_(out) {}
 
   // False when the facets lie in one plane.
   bool run() {
@@ -148,8 +148,16 @@ class PairOfFacets {
     const Sign at_end = order(span_s_.last, span_t_.last);
     const PointRef end = meet(at_end == Sign::negative ? between(span_s_) : span_s_.last,
                               at_end == Sign::positive ? between(span_t_) : span_t_.last);
+    if ((span_s_.along_edge || span_t_.along_edge) && !are_neighbours()) out_.adjoining.push_back(pair_);
     if (!span_s_.along_edge) out_.traces.push_back({pair_.a, start, end, pair_.b, {}});
     if (!span_t_.along_edge) out_.traces.push_back({pair_.b, start, end, pair_.a, {}});
+  }
+
+  // Of one leaf, joined in the edge along which both meet the other's plane.
+  bool are_neighbours() const {
+    if (s_.leaf != t_.leaf || !span_s_.along_edge || !span_t_.along_edge) return false;
+    const Scene::Halfedge twin = scene_.twin(s_.tile, span_s_.edge, s_.leaf);
+    return twin.tile == t_.tile && twin.edge == span_t_.edge;
   }
 
   Edge edge_of(const Facet& facet, Place place) const {
@@ -189,6 +197,7 @@ class PairOfFacets {
     return ref;
   }
 
+  const Scene& scene_;
   const Constructions& table_;
   FacetPair pair_;
   const Facet& s_;

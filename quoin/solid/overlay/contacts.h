@@ -67,7 +67,7 @@ struct Contacts {
   std::vector<EdgePoint> edge_points;
   std::vector<FacetPoint> facet_points;
   std::vector<Trace> traces;
-  std::vector<FacetPair> coplanar;  ///< pairs of one leaf in one plane, not apart
+  std::vector<FacetPair> adjoining;  ///< pairs that share area, or a segment along an edge of one, and are not plain neighbours
 };
 
 /// Appends what facets a and b have in common.

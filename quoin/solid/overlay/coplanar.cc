@@ -42,8 +42,7 @@ unsigned projection_axis(const Constructions& table, const Corners& c) {
 class CoplanarPair {
  public:
   CoplanarPair(const Scene& scene, FacetPair pair, Contacts& out)
-      : table_(scene.table), pair_(pair), s_(scene.facets[pair.a].corners), t_(scene.facets[pair.b].corners), out_(out),
-        same_leaf_(scene.facets[pair.a].leaf == scene.facets[pair.b].leaf) {
+      : table_(scene.table), pair_(pair), s_(scene.facets[pair.a].corners), t_(scene.facets[pair.b].corners), out_(out) {
     axis_ = projection_axis(table_, s_);
   }
 
@@ -52,7 +51,7 @@ class CoplanarPair {
     if (apart(t_in_s_)) return;
     s_in_t_ = sides(t_, s_);
     if (apart(s_in_t_)) return;
-    if (same_leaf_) out_.coplanar.push_back(pair_);
+    out_.adjoining.push_back(pair_);
     post_vertices(t_, t_in_s_, s_, pair_.a);
     post_vertices(s_, s_in_t_, t_, pair_.b);
     post_crossings();
@@ -158,7 +157,6 @@ class CoplanarPair {
   const Corners& s_;
   const Corners& t_;
   Contacts& out_;
-  bool same_leaf_;
   unsigned axis_ = 0;
   Sides t_in_s_{};
   Sides s_in_t_{};

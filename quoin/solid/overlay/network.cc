@@ -83,7 +83,7 @@ class NetworkBuilder {
       for (const EdgePoint& p : part.edge_points) cut_edges.push_back(p.edge);
       for (const FacetPoint& p : part.facet_points) network_.cut[p.facet] = true;
       for (const Trace& t : part.traces) network_.cut[t.facet] = true;
-      for (const FacetPair& p : part.coplanar) network_.involved[p.a] = network_.involved[p.b] = true;
+      for (const FacetPair& p : part.adjoining) network_.involved[p.a] = network_.involved[p.b] = true;
     }
     sort_unique(cut_edges);
     for (std::size_t f = 0; f < scene_.facets.size(); ++f) {

@@ -2,23 +2,43 @@
 #include "quoin/solid/overlay/vertex_dissolving.h"
 
 #include <algorithm>
-#include <unordered_map>
+#include <utility>
 
 namespace quoin::overlay {
 
 namespace {
 
-// One pass of a loop through a vertex.
-struct Pass {
-  std::uint32_t face;
-  PointId before;
-  PointId after;
+constexpr std::uint32_t none = PointId::none_value;
+
+// The two neighbours that all passes of loops through a vertex have in common, and a face of one pass.
+struct Neighbours {
+  std::uint32_t a = none;
+  std::uint32_t b = none;
+  std::uint32_t face = none;
+  bool are_common = true;
 };
 
-std::vector<std::uint8_t> count_passes(const Constructions& table, const Brep& brep) {
-  std::vector<std::uint8_t> passes(table.point_count(), 0);
-  for (const PointId p : brep.loop_vertices) passes[p.value] = static_cast<std::uint8_t>(std::min(passes[p.value] + 1, 3));
-  return passes;
+template <class Visit>  // visit(vertex, before, after, face)
+void for_each_pass(const Brep& brep, const Visit& visit) {
+  for (std::uint32_t face = 0; face < brep.face_count(); ++face) {
+    for (std::uint32_t l = brep.face_first_loop[face]; l < brep.face_first_loop[face + 1]; ++l) {
+      const auto loop = brep.loop(l);
+      for (std::size_t i = 0; i < loop.size(); ++i) {
+        visit(loop[i].value, loop[i == 0 ? loop.size() - 1 : i - 1].value, loop[i + 1 == loop.size() ? 0 : i + 1].value, face);
+      }
+    }
+  }
+}
+
+std::vector<Neighbours> common_neighbours(const Constructions& table, const Brep& brep) {
+  std::vector<Neighbours> result(table.point_count());
+  for_each_pass(brep, [&](std::uint32_t v, std::uint32_t before, std::uint32_t after, std::uint32_t face) {
+    Neighbours& n = result[v];
+    const auto [a, b] = std::minmax(before, after);
+    if (n.face == none) n = {a, b, face, a != b};
+    if (n.a != a || n.b != b) n.are_common = false;
+  });
+  return result;
 }
 
 bool planes_differ(const Constructions& table, const std::array<PointId, 3>& a, const std::array<PointId, 3>& b) {
@@ -26,27 +46,15 @@ bool planes_differ(const Constructions& table, const std::array<PointId, 3>& a, 
                      [&](PointId p) { return table.orientation(a[0], a[1], a[2], p) != Sign::zero; });
 }
 
-// Of vertices passed twice: the edges on both sides lie in two different planes, hence on one line.
-bool is_straight(const Constructions& table, const Brep& brep, const Pass& p, const Pass& q) {
-  return p.before == q.after && p.after == q.before && p.before != p.after && p.face != q.face &&
-         planes_differ(table, brep.face_planes[p.face], brep.face_planes[q.face]);
-}
-
+// Where faces in two different planes pass between the same neighbours, both edges lie on the line that the planes share.
 std::vector<bool> find_straight(const Constructions& table, const Brep& brep) {
-  const std::vector<std::uint8_t> passes = count_passes(table, brep);
-  std::vector<bool> straight(passes.size(), false);
-  std::unordered_map<std::uint32_t, Pass> first_pass;
-  for (std::uint32_t face = 0; face < brep.face_count(); ++face) {
-    for (std::uint32_t l = brep.face_first_loop[face]; l < brep.face_first_loop[face + 1]; ++l) {
-      const auto loop = brep.loop(l);
-      for (std::size_t i = 0; i < loop.size(); ++i) {
-        if (passes[loop[i].value] != 2) continue;
-        const Pass pass{face, loop[i == 0 ? loop.size() - 1 : i - 1], loop[i + 1 == loop.size() ? 0 : i + 1]};
-        const auto [other, is_first] = first_pass.try_emplace(loop[i].value, pass);
-        if (!is_first && is_straight(table, brep, other->second, pass)) straight[loop[i].value] = true;
-      }
-    }
-  }
+  const std::vector<Neighbours> neighbours = common_neighbours(table, brep);
+  std::vector<bool> straight(neighbours.size(), false);
+  for_each_pass(brep, [&](std::uint32_t v, std::uint32_t, std::uint32_t, std::uint32_t face) {
+    const Neighbours& n = neighbours[v];
+    if (!n.are_common || straight[v] || face == n.face) return;
+    if (planes_differ(table, brep.face_planes[n.face], brep.face_planes[face])) straight[v] = true;
+  });
   return straight;
 }
 
