@@ -58,10 +58,11 @@ export class Explosion {
     return result;
   }
 
-  /** Sets the stage's ball around what is shown. */
+  /** Tells the stage what is shown. */
   measure(): void {
     const corners = this.corners();
     const { ball } = this.stage;
+    this.stage.corners = corners;
     if (corners.length === 0) ball.set(new THREE.Vector3(), 1);
     else new THREE.Box3().setFromPoints(corners).getBoundingSphere(ball);
   }

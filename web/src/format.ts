@@ -19,7 +19,7 @@ export function count(n: number, one: string, many = `${one}s`): string {
 }
 
 export function point(p: Vec3, isExact: boolean): string {
-  return `(${p.map((x) => (isExact ? exactNumber(x) : number(x, 7))).join(", ")})`;
+  return `${isExact ? "" : "≈ "}(${p.map((x) => (isExact ? exactNumber(x) : number(x, 7))).join(", ")})`;
 }
 
 /** a x + b y + c z = d, without terms that are zero and factors that are one. */
@@ -35,11 +35,13 @@ export function planeEquation(plane: [number, number, number, number]): string {
   return `${text} = ${exactNumber(plane[3])}`;
 }
 
-/** The plane of a face as it was given, else that of the triangle, said to be rounded. */
+/** The plane of a face as it was given, else that of the triangle, said to be rounded. One across an axis is read off a corner. */
 export function faceEquation(part: Part, face: number, triangle: number): string {
   const text = part.planeText(face);
   if (text) return text;
   const given = givenPlane(part, face);
+  const axes = [0, 1, 2].filter((axis) => given?.[axis] !== 0);
+  if (given && axes.length === 1) return `${"xyz"[axes[0]]} = ${exactNumber(part.vertex(part.triangles[3 * triangle])[axes[0]])}`;
   if (given) return planeEquation(given);
   const n = faceNormal(part, face, triangle);
   const corner = part.vertex(part.triangles[3 * triangle]);

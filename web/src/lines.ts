@@ -7,10 +7,12 @@ export interface Segments {
   starts: Float32Array;
   ends: Float32Array;
   pieces: Float32Array;
+  opacities: Float32Array;
 }
 
 export interface LineOptions {
-  fade: number; ///< 0: no, up to 1: short segments become transparent
+  fade: number; ///< 0: no, up to 1: segments that are short on the screen become transparent
+  fadeStart: number; ///< the same for the beginning of each segment
   order: number;
 }
 
@@ -18,7 +20,6 @@ export interface LineOptions {
 export class LineSet {
   readonly mesh: THREE.Mesh;
   readonly color = new THREE.Vector4(0, 0, 0, 1);
-  readonly count: number;
 
   constructor(segments: Segments, uniforms: Record<string, THREE.IUniform>, options: LineOptions) {
     const geometry = new THREE.InstancedBufferGeometry();
@@ -28,14 +29,14 @@ export class LineSet {
     geometry.setAttribute("start", new THREE.InstancedBufferAttribute(segments.starts, 3));
     geometry.setAttribute("end", new THREE.InstancedBufferAttribute(segments.ends, 3));
     geometry.setAttribute("piece", new THREE.InstancedBufferAttribute(segments.pieces, 1));
+    geometry.setAttribute("opacity", new THREE.InstancedBufferAttribute(segments.opacities, 1));
     geometry.boundingSphere = new THREE.Sphere(new THREE.Vector3(), 2);
-    this.count = segments.pieces.length;
-    geometry.instanceCount = this.count;
+    geometry.instanceCount = segments.pieces.length;
     const material = new THREE.ShaderMaterial({
       glslVersion: THREE.GLSL3,
       vertexShader: lineVertex,
       fragmentShader: lineFragment,
-      uniforms: { ...uniforms, lineColor: { value: this.color }, fade: { value: options.fade } },
+      uniforms: { ...uniforms, lineColor: { value: this.color }, fade: { value: options.fade }, fadeStart: { value: options.fadeStart } },
       side: THREE.DoubleSide,
       transparent: true,
       premultipliedAlpha: true,

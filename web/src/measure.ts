@@ -77,8 +77,13 @@ export class Measure {
     else this.overlay.append(svg("circle", { cx: at.x, cy: at.y, r: 4.5, class: name }));
   }
 
+  private get isExact(): boolean {
+    return this.places.every((place) => place.isVertex);
+  }
+
+  /** Places between corners are known to about a pixel: fewer digits, and a sign that says so. */
   private length(x: number): string {
-    return `${number(x, 7)}${this.data.unit ? ` ${this.data.unit}` : ""}`;
+    return this.isExact ? number(x, 10) : `≈ ${number(x, 5)}`;
   }
 
   private report(): Node[] {
@@ -89,13 +94,10 @@ export class Measure {
       return [title, el("p", { class: "hint" }, hints[this.places.length]), ...(first.length ? [rows(first)] : [])];
     }
     const { distance, delta } = this.result as Measurement;
-    const isExact = this.places.every((place) => place.isVertex);
-    const approx = isExact ? "" : "≈ ";
-    const digits = isExact ? 10 : 6;
-    const deltas = delta.map((d, k): [string, string] => [`d${"xyz"[k]}`, approx + number(d, digits)]);
+    const deltas = delta.map((d, k): [string, string] => [`d${"xyz"[k]}`, this.length(d)]);
     return [
       title,
-      el("p", { class: "big" }, approx + number(distance, digits), this.data.unit ? ` ${this.data.unit}` : ""),
+      el("p", { class: "big" }, this.length(distance), this.data.unit ? ` ${this.data.unit}` : ""),
       rows([
         ...deltas,
         ["From", point(this.places[0].point, this.places[0].isVertex)],

@@ -1,83 +1,100 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { Segments } from "./lines";
+import { dot, faceNormal } from "./part_geometry";
 import type { Part, Vec3 } from "./scene_data";
-import { faceNormal } from "./part_geometry";
 
-const severalPieces = -2;
-const noPiece = -1;
+/** Edges found by their two vertices: open addressing, two slots or more per edge. */
+class EdgeTable {
+  private readonly slots: Int32Array;
+  private readonly mask: number;
 
-/** The edges of a part; one that faces of several pieces share is drawn with each of them. */
-export function edgesByPiece(part: Part, relative: Float32Array): Segments {
-  const pairs: [number, number, number][] = [];
-  const count = part.edges.length / 2;
-  const shared = new Map<string, number>();
-  const pieceOf = part.pieceCount > 1 ? vertexPieces(part) : undefined;
-  const pieces: number[] = [];
-  for (let e = 0; e < count; ++e) {
-    const a = part.edges[2 * e];
-    const b = part.edges[2 * e + 1];
-    const piece = pieceOf ? edgePiece(pieceOf[a], pieceOf[b]) : 0;
-    if (piece === severalPieces) shared.set(edgeKey(a, b), e);
-    pieces.push(Math.max(0, piece));
+  constructor(private readonly edges: ArrayLike<number>) {
+    const count = edges.length / 2;
+    this.mask = 2 ** Math.ceil(Math.log2(2 * count + 2)) - 1;
+    this.slots = new Int32Array(this.mask + 1).fill(-1);
+    for (let e = 0; e < count; ++e) {
+      const slot = this.slot(edges[2 * e], edges[2 * e + 1]);
+      if (this.slots[slot] < 0) this.slots[slot] = e;
+    }
   }
-  if (shared.size > 0) pairs.push(...copiesOfSharedEdges(part, shared, pieces));
-  const total = count + pairs.length;
-  const result: Segments = {
-    starts: new Float32Array(3 * total),
-    ends: new Float32Array(3 * total),
-    pieces: new Float32Array(total),
-  };
-  const put = (at: number, a: number, b: number, piece: number) => {
-    result.starts.set(relative.subarray(3 * a, 3 * a + 3), 3 * at);
-    result.ends.set(relative.subarray(3 * b, 3 * b + 3), 3 * at);
-    result.pieces[at] = piece;
-  };
-  for (let e = 0; e < count; ++e) put(e, part.edges[2 * e], part.edges[2 * e + 1], pieces[e]);
-  pairs.forEach(([a, b, piece], i) => put(count + i, a, b, piece));
+
+  /** Its index, or -1. */
+  find(a: number, b: number): number {
+    return this.slots[this.slot(a, b)];
+  }
+
+  private slot(a: number, b: number): number {
+    const [low, high] = a < b ? [a, b] : [b, a];
+    let at = (Math.imul(low, 0x9e3779b1) ^ Math.imul(high, 0x85ebca6b)) >>> 0;
+    for (at = (at ^ (at >>> 15)) & this.mask; ; at = (at + 1) & this.mask) {
+      const e = this.slots[at];
+      if (e < 0) return at;
+      const [c, d] = [this.edges[2 * e], this.edges[2 * e + 1]];
+      if ((c === low && d === high) || (c === high && d === low)) return at;
+    }
+  }
+}
+
+/** What lies along an edge. */
+interface Sides {
+  pieces: Float32Array; ///< by edge
+  sharpness: Float32Array; ///< by edge: 0 where two faces meet almost flat, 1 from 40 degrees on and where not two meet
+  copies: [edge: number, piece: number][]; ///< of edges that several pieces share
+}
+
+function sidesOfEdges(part: Part): Sides {
+  const count = part.edges.length / 2;
+  const table = new EdgeTable(part.edges);
+  const found = new Uint8Array(count);
+  const firstTriangle = new Int32Array(count);
+  const result: Sides = { pieces: new Float32Array(count), sharpness: new Float32Array(count).fill(1), copies: [] };
+  const copied = new Set<string>();
+  for (let t = 0; t < part.triangleCount; ++t) {
+    const face = part.triangleFaces[t];
+    const piece = part.piece(face);
+    for (let k = 0; k < 3; ++k) {
+      const e = table.find(part.triangles[3 * t + k], part.triangles[3 * t + ((k + 1) % 3)]);
+      if (e < 0) continue;
+      if (found[e] === 0) {
+        firstTriangle[e] = t;
+        result.pieces[e] = piece;
+      } else {
+        const first = firstTriangle[e];
+        result.sharpness[e] = found[e] === 1 ? sharpness(part, first, t) : 1;
+        if (piece !== result.pieces[e] && !copied.has(`${e} ${piece}`)) {
+          copied.add(`${e} ${piece}`);
+          result.copies.push([e, piece]);
+        }
+      }
+      if (found[e] < 255) ++found[e];
+    }
+  }
   return result;
 }
 
-function vertexPieces(part: Part): Int32Array {
-  const pieces = new Int32Array(part.vertexCount).fill(noPiece);
-  for (let i = 0; i < part.triangles.length; ++i) {
-    const piece = part.piece(part.triangleFaces[Math.floor(i / 3)]);
-    const v = part.triangles[i];
-    if (pieces[v] === noPiece) pieces[v] = piece;
-    else if (pieces[v] !== piece) pieces[v] = severalPieces;
-  }
-  return pieces;
+function sharpness(part: Part, t: number, s: number): number {
+  const [f, g] = [part.triangleFaces[t], part.triangleFaces[s]];
+  const cosine = dot(faceNormal(part, f, t), faceNormal(part, g, s));
+  const angle = (Math.acos(Math.min(1, Math.max(-1, cosine))) * 180) / Math.PI;
+  return Math.min(1, Math.max(0, (angle - 4) / 36));
 }
 
-function edgePiece(a: number, b: number): number {
-  return a === severalPieces ? b : a;
-}
-
-function edgeKey(a: number, b: number): string {
-  return a < b ? `${a} ${b}` : `${b} ${a}`;
-}
-
-/** Sets the piece of each shared edge to the first one found and returns the edge again for every further one. */
-function copiesOfSharedEdges(
-  part: Part,
-  shared: Map<string, number>,
-  pieces: number[],
-): [number, number, number][] {
-  const found = new Map<number, Set<number>>();
-  for (let t = 0; t < part.triangles.length; t += 3) {
-    for (let k = 0; k < 3; ++k) {
-      const edge = shared.get(edgeKey(part.triangles[t + k], part.triangles[t + ((k + 1) % 3)]));
-      if (edge === undefined) continue;
-      if (!found.has(edge)) found.set(edge, new Set());
-      found.get(edge)?.add(part.piece(part.triangleFaces[t / 3]));
+/** The edges of a part; one that faces of several pieces share is drawn with each of them. */
+export function edgeLines(part: Part): Segments {
+  const relative = part.relativeVertices();
+  const { pieces, sharpness: sharp, copies } = sidesOfEdges(part);
+  const result = emptySegments(pieces.length + copies.length);
+  const put = (at: number, edge: number, piece: number) => {
+    for (let axis = 0; axis < 3; ++axis) {
+      result.starts[3 * at + axis] = relative[3 * part.edges[2 * edge] + axis];
+      result.ends[3 * at + axis] = relative[3 * part.edges[2 * edge + 1] + axis];
     }
-  }
-  const copies: [number, number, number][] = [];
-  for (const [edge, among] of found) {
-    const [first, ...further] = among;
-    pieces[edge] = first;
-    for (const piece of further) copies.push([part.edges[2 * edge], part.edges[2 * edge + 1], piece]);
-  }
-  return copies;
+    result.pieces[at] = piece;
+    result.opacities[at] = 0.24 + 0.76 * sharp[edge];
+  };
+  for (let e = 0; e < pieces.length; ++e) put(e, e, pieces[e]);
+  copies.forEach(([edge, piece], i) => put(pieces.length + i, edge, piece));
+  return result;
 }
 
 /** A short line from the middle of the largest triangle of every face along its normal. */
@@ -91,11 +108,7 @@ export function faceNormalLines(part: Part): Segments {
     if (largest[face] < 0 || area > areas[face]) [largest[face], areas[face]] = [t, area];
   }
   const faces = [...largest.keys()].filter((face) => largest[face] >= 0);
-  const result: Segments = {
-    starts: new Float32Array(3 * faces.length),
-    ends: new Float32Array(3 * faces.length),
-    pieces: new Float32Array(faces.length),
-  };
+  const result = emptySegments(faces.length);
   faces.forEach((face, i) => {
     const triangle = largest[face];
     const normal = faceNormal(part, face, triangle);
@@ -107,8 +120,18 @@ export function faceNormalLines(part: Part): Segments {
       result.ends[3 * i + axis] = middle + size * normal[axis];
     }
     result.pieces[i] = part.piece(face);
+    result.opacities[i] = 1;
   });
   return result;
+}
+
+function emptySegments(count: number): Segments {
+  return {
+    starts: new Float32Array(3 * count),
+    ends: new Float32Array(3 * count),
+    pieces: new Float32Array(count),
+    opacities: new Float32Array(count),
+  };
 }
 
 function corner(part: Part, relative: Float32Array, triangle: number, k: number): Vec3 {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 import * as THREE from "three";
-import { LineSet } from "./lines";
+import { LineSet, type Segments } from "./lines";
 import { originColor, type Rgb } from "./palette";
 import type { Part, Vec3 } from "./scene_data";
-import { edgesByPiece, faceNormalLines } from "./part_lines";
+import { edgeLines, faceNormalLines } from "./part_lines";
 import * as shaders from "./shaders";
 import { floatTable, faceTable, unsignedTable } from "./tables";
 
@@ -26,7 +26,7 @@ export class PartMesh {
   readonly group = new THREE.Group();
   readonly pickMesh: THREE.Mesh;
   readonly cap: THREE.Mesh;
-  readonly edges: LineSet;
+  private edges: LineSet | undefined;
   readonly pieces: Piece[];
   readonly capColor: Rgb;
   private normals: LineSet | undefined;
@@ -73,9 +73,6 @@ export class PartMesh {
     this.cap = this.mesh(new THREE.PlaneGeometry(8, 8), this.capMaterial(), order + 2);
     this.group.add(...this.stencils, this.cap);
 
-    this.edges = new LineSet(edgesByPiece(part, relative), this.uniforms, { fade: 0.75, order: 5e5 + index });
-    this.group.add(this.edges.mesh);
-
     this.pickMesh = this.mesh(geometry, this.pickMaterial(), 0);
     this.showCut(false);
   }
@@ -93,17 +90,19 @@ export class PartMesh {
     for (const mesh of [...this.stencils, this.cap]) mesh.visible = isShown && this.part.triangleCount > 0;
   }
 
-  /** Made when they are first asked for. */
+  /** Lines are made when they are first asked for. */
+  showEdges(isShown: boolean): void {
+    if (isShown && !this.edges) this.edges = this.lines(edgeLines(this.part), { fade: 0.7, fadeStart: 0 });
+    if (this.edges) this.edges.mesh.visible = isShown;
+  }
+
   showNormals(isShown: boolean): void {
-    if (isShown && !this.normals) {
-      this.normals = new LineSet(faceNormalLines(this.part), this.uniforms, { fade: 0, order: 5e5 + this.index });
-      this.group.add(this.normals.mesh);
-    }
+    if (isShown && !this.normals) this.normals = this.lines(faceNormalLines(this.part), { fade: 0, fadeStart: 0.75 });
     if (this.normals) this.normals.mesh.visible = isShown;
   }
 
   setLineColors(edges: THREE.Vector4, normals: THREE.Vector4): void {
-    this.edges.color.copy(edges);
+    this.edges?.color.copy(edges);
     this.normals?.color.copy(normals);
   }
 
@@ -128,6 +127,12 @@ export class PartMesh {
     return [k * data[4 * piece], k * data[4 * piece + 1], k * data[4 * piece + 2]];
   }
 
+  private lines(segments: Segments, fading: { fade: number; fadeStart: number }): LineSet {
+    const lines = new LineSet(segments, this.uniforms, { ...fading, order: 5e5 + this.index });
+    this.group.add(lines.mesh);
+    return lines;
+  }
+
   private mesh(geometry: THREE.BufferGeometry, material: THREE.Material, order: number): THREE.Mesh {
     const mesh = new THREE.Mesh(geometry, material);
     mesh.frustumCulled = false;
@@ -150,7 +155,7 @@ export class PartMesh {
     return this.material(shaders.surfaceFragment, {
       uniforms: { ...this.uniforms, pass: { value: pass } },
       polygonOffset: true,
-      polygonOffsetFactor: 1,
+      polygonOffsetFactor: 2,
       polygonOffsetUnits: 1,
       transparent: pass > 0,
       premultipliedAlpha: true,

@@ -68,22 +68,16 @@ export class Picker {
   }
 
   private read(x: number, y: number, reach: number): Uint8Array {
-    const { renderer, host } = this.stage;
+    const { renderer } = this.stage;
     const size = 2 * reach + 1;
     const target = this.targets.get(size) ?? new THREE.WebGLRenderTarget(size, size, { samples: 0 });
     this.targets.set(size, target);
-    this.stage.updateCameras();
-    const camera = this.stage.camera;
-    const left = Math.floor(x) - reach;
-    const top = Math.floor(y) - reach;
-    camera.setViewOffset(host.clientWidth, host.clientHeight, left, top, size, size);
-    camera.updateProjectionMatrix();
+    this.stage.updateCameras({ left: Math.floor(x) - reach, top: Math.floor(y) - reach, size });
     renderer.setRenderTarget(target);
     renderer.clear();
-    renderer.render(this.scene, camera);
+    renderer.render(this.scene, this.stage.camera);
     renderer.setRenderTarget(null);
-    camera.clearViewOffset();
-    camera.updateProjectionMatrix();
+    this.stage.updateCameras();
     const ids = new Uint8Array(4 * size * size);
     renderer.readRenderTargetPixels(target, 0, 0, size, size, ids);
     return ids;

@@ -44,6 +44,11 @@ export class Section {
     this.offset = throughOffset - 0.25 * (this.high - this.low);
   }
 
+  /** Takes away the side nearer to the viewer, so that the cut is seen. */
+  faceViewer(): void {
+    this.isFlipped = this.normal.dot(this.stage.gaze) < 0;
+  }
+
   /** Point on the plane nearest to the middle of everything shown. */
   get anchor(): THREE.Vector3 {
     const normal = this.normal;

@@ -47,10 +47,17 @@ void main() {
 export const clipping = /* glsl */ `
 uniform vec4 cut;                  // keeps n . p <= d; n is zero when there is no cut
 bool isCutAway(vec3 place) { return dot(cut.xyz, place) > cut.w; }
+/** By a pixel more for what is seen from behind: no inside shines through along the rim of the cut. */
+bool isCutAway(vec3 place, bool isFront) {
+  float beyond = dot(cut.xyz, place) - cut.w;
+  return beyond > (isFront ? 0.0 : -fwidth(beyond));
+}
 `;
 
 const color = /* glsl */ `
 vec3 toLinear(vec3 c) { return mix(pow((c + 0.055) / 1.055, vec3(2.4)), c / 12.92, vec3(lessThanEqual(c, vec3(0.04045)))); }
+/** Half a step of the screen's colours up or down, so that slow gradients show no bands. */
+float dither(vec2 p) { return (fract(52.9829189 * fract(dot(p, vec2(0.06711056, 0.00583715)))) - 0.5) / 255.0; }
 vec3 toScreen(vec3 c) { return mix(1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, c * 12.92, vec3(lessThanEqual(c, vec3(0.0031308)))); }
 `;
 
@@ -67,31 +74,30 @@ uniform float pass;                // 0: opaque faces, 1: the others
 out vec4 outColor;
 ${clipping}
 ${color}
+const vec3 key = vec3(-0.473, 0.520, 0.710);
 float light(vec3 n, vec3 toEye) {
-  vec3 key = normalize(vec3(-0.45, 0.75, 0.75));
   vec3 fill = normalize(vec3(0.85, 0.1, 0.45));
   vec3 up = normalize((viewMatrix * vec4(0.0, 0.0, 1.0, 0.0)).xyz);
-  return 0.34 + 0.1 * dot(n, up) + 0.62 * max(dot(n, key), 0.0) + 0.2 * max(dot(n, fill), 0.0) + 0.12 * max(dot(n, toEye), 0.0);
+  return 0.34 + 0.1 * dot(n, up) + 0.62 * max(dot(n, key), 0.0) + 0.16 * max(dot(n, fill), 0.0) + 0.12 * max(dot(n, toEye), 0.0);
 }
 void main() {
-  if (isCutAway(vPlace)) discard;
+  if (isCutAway(vPlace, gl_FrontFacing)) discard;
   if ((vColor.a > 0.998) == (pass > 0.5)) discard;
   vec3 n = normalize(cross(dFdx(vView), dFdy(vView)));
   vec3 toEye = isPerspective > 0.5 ? normalize(-vView) : vec3(0.0, 0.0, 1.0);
   vec3 base = toLinear(vColor.rgb);
   base = mix(base, vec3(dot(base, vec3(0.3, 0.5, 0.2))) * 0.6 + 0.12, 0.82 * vMark.z);
-  if (!gl_FrontFacing) base = mix(base, vec3(0.36, 0.12, 0.1), 0.7);
-  base = mix(base, accent, max(0.75 * vMark.x, 0.28 * vMark.y));
-  vec3 shaded = base * light(n, toEye);
-  vec3 halfway = normalize(normalize(vec3(-0.45, 0.75, 0.75)) + toEye);
-  shaded += 0.05 * pow(max(dot(n, halfway), 0.0), 24.0);
+  if (!gl_FrontFacing && pass < 0.5) base = mix(base, vec3(0.36, 0.12, 0.1), 0.7);
+  float brightness = light(n, toEye);
+  vec3 shaded = base * brightness + 0.05 * pow(max(dot(n, normalize(key + toEye)), 0.0), 24.0);
+  shaded = mix(shaded, accent * (0.6 + 0.4 * brightness), max(0.85 * vMark.x, 0.3 * vMark.y));
   if (showTriangles > 0.5) {
     vec3 width = fwidth(vCorner);
     vec3 inside = smoothstep(width * 0.4, width * 1.3, vCorner);
     shaded = mix(shaded * 0.42, shaded, min(inside.x, min(inside.y, inside.z)));
   }
-  outColor = vec4(toScreen(shaded) , 1.0);
-  if (pass > 0.5) outColor = vec4(outColor.rgb * vColor.a, vColor.a);
+  float alpha = pass > 0.5 ? max(vColor.a, 0.8 * vMark.x) : 1.0;
+  outColor = vec4((toScreen(shaded) + dither(gl_FragCoord.xy)) * alpha, alpha);
 }
 `;
 
@@ -141,6 +147,7 @@ export const lineVertex = /* glsl */ `
 in vec3 start;
 in vec3 end;
 in float piece;
+in float opacity;
 uniform sampler2D pieceOffsets;
 uniform float explode;
 uniform vec2 viewport;
@@ -148,6 +155,7 @@ uniform float width;
 uniform float near;
 uniform float isPerspective;
 uniform float fade;
+uniform float fadeStart;
 out vec3 vPlace;
 out float vOpacity;
 ${tables}
@@ -169,7 +177,8 @@ void main() {
   clip.xy += across * position.y * width / viewport * clip.w;
   clip.z -= 4e-5 * clip.w;
   vPlace = mix(start, end, mix(tA, tB, position.x)) + offset;
-  vOpacity = mix(1.0, smoothstep(-2.0, 14.0, pixels), fade);
+  vOpacity = opacity * mix(1.0, smoothstep(-2.0, 14.0, pixels), fade);
+  if (position.x < 0.5) vOpacity *= 1.0 - fadeStart;
   gl_Position = clip;
 }
 `;

@@ -14,11 +14,14 @@ export class Stage {
   readonly shared: SharedUniforms;
   /** Ball that holds everything shown. */
   readonly ball = new THREE.Sphere(new THREE.Vector3(), 1);
+  /** Of the boxes of everything shown. */
+  corners: THREE.Vector3[] = [];
   /** Called after each frame: what lies over the canvas follows the camera. */
   onFrame: () => void = () => {};
   private readonly perspective = new THREE.PerspectiveCamera(fieldOfView, 1, 0.01, 10);
   private readonly orthographic = new THREE.OrthographicCamera(-1, 1, 1, -1, 0.01, 10);
   private flight: { from: Pose; to: Pose; start: number } | undefined;
+  private insets: Insets = { top: 0, right: 0, bottom: 0, left: 0 };
   private isScheduled = false;
   private isHeld = false;
   private isCoarse = false;
@@ -74,12 +77,16 @@ export class Stage {
     return this.perspective.position.clone().sub(this.controls.target).normalize();
   }
 
+  /** Margins in pixels that are covered; the middle of the picture is that of the rest. */
+  setInsets(insets: Insets): void {
+    this.insets = insets;
+    this.invalidate();
+  }
+
   /** Turns to look at everything shown from a direction. */
   lookFrom(direction: THREE.Vector3, animated = true): void {
-    const half = THREE.MathUtils.degToRad(fieldOfView / 2);
-    const narrow = Math.min(1, this.perspective.aspect);
-    const distance = (1.06 * Math.max(this.ball.radius, 1e-3)) / Math.sin(Math.atan(Math.tan(half) * narrow));
-    const to = { target: this.ball.center.clone(), direction: direction.clone().normalize(), distance };
+    const toward = direction.clone().normalize();
+    const to = { target: this.ball.center.clone(), direction: toward, distance: this.fittingDistance(toward) };
     if (!animated || prefersStillness()) return this.setPose(to);
     this.flight = { from: this.pose(), to, start: performance.now() };
     this.invalidate();
@@ -119,8 +126,17 @@ export class Stage {
     return caster.ray;
   }
 
-  updateCameras(): void {
+  /** Makes the cameras ready to draw, to project and to look along rays; a part of the picture only, if given. */
+  updateCameras(part?: { left: number; top: number; size: number }): void {
     const { perspective, orthographic, controls } = this;
+    const width = this.host.clientWidth;
+    const height = this.host.clientHeight;
+    const shiftX = (this.insets.right - this.insets.left) / 2;
+    const shiftY = (this.insets.bottom - this.insets.top) / 2;
+    const { left, top } = part ?? { left: 0, top: 0 };
+    for (const camera of [perspective, orthographic]) {
+      camera.setViewOffset(width, height, left + shiftX, top + shiftY, part?.size ?? width, part?.size ?? height);
+    }
     const toCenter = perspective.position.distanceTo(this.ball.center);
     const reach = this.ball.radius * 1.05 + 1e-3;
     perspective.far = toCenter + reach;
@@ -140,6 +156,23 @@ export class Stage {
     orthographic.updateProjectionMatrix();
     orthographic.updateMatrixWorld();
     this.shared.near.value = perspective.near * 1.0001;
+  }
+
+  /** From where, on the line of sight through the middle, all corners are seen in the free part of the picture. */
+  private fittingDistance(direction: THREE.Vector3): number {
+    const right = new THREE.Vector3().crossVectors(this.perspective.up, direction).normalize();
+    const up = new THREE.Vector3().crossVectors(direction, right);
+    const { insets, host } = this;
+    const perPixel = Math.tan(THREE.MathUtils.degToRad(fieldOfView / 2)) / (host.clientHeight / 2);
+    const halfWidth = (Math.max(120, host.clientWidth - insets.left - insets.right) / 2) * 0.88;
+    const halfHeight = (Math.max(120, host.clientHeight - insets.top - insets.bottom) / 2) * 0.92;
+    let distance = this.corners.length > 0 ? 0 : 4;
+    for (const corner of this.corners) {
+      const p = corner.clone().sub(this.ball.center);
+      const across = Math.max(Math.abs(p.dot(right)) / halfWidth, Math.abs(p.dot(up)) / halfHeight) / perPixel;
+      distance = Math.max(distance, p.dot(direction) + across);
+    }
+    return Math.max(distance, 0.01);
   }
 
   private frame(): void {
@@ -211,6 +244,13 @@ export class Stage {
     this.shared.width.value = 1.4 * ratio;
     this.draw();
   }
+}
+
+export interface Insets {
+  top: number;
+  right: number;
+  bottom: number;
+  left: number;
 }
 
 interface Pose {

@@ -20,6 +20,7 @@ import { Panel } from "./ui/panel";
 import { Toolbar, type Tool } from "./ui/toolbar";
 import { SectionHandle } from "./ui/section_handle";
 
+const isNarrow = () => innerWidth <= 760;
 const snapReach = 9; // pixels
 const mostTrianglesToHover = 250_000; // beyond it, looking under the pointer at every move would cost too much
 const mostEdgesAtFirst = 400_000;
@@ -66,7 +67,7 @@ export class Viewer {
       showPart: (mesh, isShown) => this.showPart(mesh, isShown),
       lightOrigin: (origin) => this.lightOrigin(origin),
     });
-    this.panel.isShown = innerWidth > 760;
+    this.panel.isShown = !isNarrow();
     this.card = new FaceCard(data, () => this.pick(undefined), () => this.cutAlongPicked());
     this.sectionDock = new SectionDock(data, this.section, (axis) => this.chooseAxis(axis), () => this.applySection());
     this.explosionDock = new ExplosionDock(this.explosion, () => this.applyExplosion());
@@ -80,8 +81,7 @@ export class Viewer {
       this.heading(),
       gizmo.element,
       this.panel.element,
-      el("div", { class: "cards" }, this.card.element, this.measure.card),
-      el("div", { class: "bottom" }, this.toast, this.sectionDock.element, this.explosionDock.element, this.toolbar.element),
+      el("div", { class: "bottom" }, this.toast, el("div", { class: "cards" }, this.card.element, this.measure.card), this.sectionDock.element, this.explosionDock.element, this.toolbar.element),
       this.help,
     );
     this.stage.onFrame = () => {
@@ -89,14 +89,15 @@ export class Viewer {
       this.handle.update();
       gizmo.update(this.stage.camera);
     };
-    this.areEdgesShown = this.meshes.reduce((sum, mesh) => sum + mesh.edges.count, 0) <= mostEdgesAtFirst;
+    this.areEdgesShown = data.parts.reduce((sum, part) => sum + part.edges.length / 2, 0) <= mostEdgesAtFirst;
     this.listen(tools.flat());
     this.stage.renderer.domElement.addEventListener("webglcontextlost", (event) => {
       event.preventDefault();
       tell("The graphics device was lost.", "Reload the page to draw again.");
     });
     this.showEdges();
-    this.applyTheme();
+    this.makeRoom();
+    window.addEventListener("resize", () => this.makeRoom());
     this.stage.lookFrom(isometric, false);
     if (this.triangleCount === 0) this.say("There is nothing to show: the scene is empty.", true);
   }
@@ -129,6 +130,7 @@ export class Viewer {
     this.section.isOn = true;
     if (axis !== "face") {
       this.section.axis = axis;
+      this.section.faceViewer();
       this.applySection();
     } else if (this.picked) {
       this.cutAlongPicked();
@@ -191,8 +193,8 @@ export class Viewer {
   }
 
   private showEdges(): void {
-    for (const mesh of this.meshes) mesh.edges.mesh.visible = this.areEdgesShown && mesh.edges.count > 0;
-    this.changed();
+    for (const mesh of this.meshes) mesh.showEdges(this.areEdgesShown);
+    this.applyTheme();
   }
 
   private toggleTriangles(): void {
@@ -209,6 +211,7 @@ export class Viewer {
 
   private toggleSection(): void {
     this.section.isOn = !this.section.isOn;
+    if (this.section.isOn) this.section.faceViewer();
     this.isChoosingFace = false;
     this.say("");
     this.applySection();
@@ -232,6 +235,12 @@ export class Viewer {
     this.changed();
   }
 
+  /** What the panel and the tools leave free. */
+  private makeRoom(): void {
+    const right = this.panel.isShown && !isNarrow() ? this.panel.element.offsetWidth + 16 : 0;
+    this.stage.setInsets({ top: 62, right, bottom: 68, left: 0 });
+  }
+
   private toggleOrthographic(): void {
     this.stage.setOrthographic(!this.stage.isOrthographic);
     this.changed();
@@ -239,6 +248,7 @@ export class Viewer {
 
   private togglePanel(): void {
     this.panel.isShown = !this.panel.isShown;
+    this.makeRoom();
     this.changed();
   }
 

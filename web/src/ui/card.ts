@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-import { faceEquation, number, point } from "../format";
+import { faceEquation, number } from "../format";
 import { faceNormal } from "../part_geometry";
 import type { Hit } from "../picking";
 import { originName, type SceneData } from "../scene_data";
@@ -25,7 +25,7 @@ export function describeFace(data: SceneData, hit: Hit): FaceInfo {
     partIndex: index,
     face: hit.face,
     plane: faceEquation(part, hit.face, hit.triangle),
-    normal: point(faceNormal(part, hit.face, hit.triangle), false),
+    normal: `(${faceNormal(part, hit.face, hit.triangle).map((x) => number(x, 7)).join(", ")})`,
     origins: part.origins(hit.face).map(({ origin, face }) => ({ origin, face, name: originName(data, origin) })),
   };
 }

@@ -30,7 +30,7 @@ export class Gizmo {
       const x = size / 2 + arm * at.x;
       const y = size / 2 - arm * at.y;
       part.knob.setAttribute("transform", `translate(${x.toFixed(2)} ${y.toFixed(2)})`);
-      part.knob.style.opacity = at.z < -0.3 ? "0.55" : "1";
+      part.knob.style.opacity = at.z < -0.3 ? "0.7" : "1";
       if (part.line) {
         part.line.setAttribute("x2", x.toFixed(2));
         part.line.setAttribute("y2", y.toFixed(2));

@@ -24,7 +24,7 @@ export function helpSheet(): HTMLDialogElement {
     const names = /^[A-Z1-9]( |$)/.test(key) ? key.split(/ +/).map((k) => el("kbd", {}, k)) : [el("span", {}, key)];
     list.append(el("dt", {}, ...names), el("dd", {}, what));
   }
-  const dialog = el("dialog", { class: "help glass", "aria-label": "Keys" });
+  const dialog = el("dialog", { class: "help glass", "aria-label": "Keys", tabindex: -1, autofocus: true });
   const close = el("button", { type: "button", class: "round", "aria-label": "Close", onclick: () => dialog.close() }, icon(icons.close));
   dialog.append(el("header", {}, el("h2", {}, "Mouse and keys"), close), list);
   dialog.addEventListener("click", (event) => {

@@ -2,7 +2,7 @@
 // Path data for icons of 20 by 20, drawn as strokes.
 
 export const icons = {
-  fit: "M3 7V4a1 1 0 0 1 1-1h3M13 3h3a1 1 0 0 1 1 1v3M17 13v3a1 1 0 0 1-1 1h-3M7 17H4a1 1 0 0 1-1-1v-3M10 7.2l2.6 1.4v2.8L10 12.8l-2.6-1.4V8.6z",
+  fit: "M3 7V4a1 1 0 0 1 1-1h3M13 3h3a1 1 0 0 1 1 1v3M17 13v3a1 1 0 0 1-1 1h-3M7 17H4a1 1 0 0 1-1-1v-3M7 8.2h6v3.6H7z",
   edges: "M10 2.5 16.5 6v8L10 17.5 3.5 14V6zM3.5 6 10 9.5 16.5 6M10 9.5v8",
   triangles: "M3 16.5h14L10 4zM6.5 10.2h7M6.5 10.2 10 16.5l3.5-6.3",
   normals: "M3 13.5 10 17l7-3.5L10 10zM10 13.5V2.5M7.5 5 10 2.5 12.5 5",
