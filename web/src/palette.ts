@@ -2,17 +2,18 @@
 
 export type Rgb = [number, number, number];
 
+// No orange: that is what is picked.
 const calm: Rgb[] = [
   [125, 158, 198], // steel blue
-  [218, 157, 112], // apricot
+  [219, 197, 128], // sand
   [142, 182, 138], // sage
   [202, 139, 150], // dusty rose
   [167, 155, 203], // lavender
-  [217, 192, 116], // sand
   [110, 178, 173], // teal
-  [182, 143, 110], // clay
+  [176, 182, 118], // moss
   [154, 168, 178], // slate
   [199, 160, 202], // mauve
+  [152, 192, 208], // sky
 ];
 
 /** Colour of faces of input `index`, 0 to 255 each: ten chosen ones, then hues a golden angle apart. */

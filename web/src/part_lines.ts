@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-import type { Segments } from "./lines";
+import { emptySegments, type Segments } from "./lines";
 import { dot, faceNormal } from "./part_geometry";
 import type { Part, Vec3 } from "./scene_data";
 
@@ -123,15 +123,6 @@ export function faceNormalLines(part: Part): Segments {
     result.opacities[i] = 1;
   });
   return result;
-}
-
-function emptySegments(count: number): Segments {
-  return {
-    starts: new Float32Array(3 * count),
-    ends: new Float32Array(3 * count),
-    pieces: new Float32Array(count),
-    opacities: new Float32Array(count),
-  };
 }
 
 function corner(part: Part, relative: Float32Array, triangle: number, k: number): Vec3 {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 import * as THREE from "three";
-import { LineSet, type Segments } from "./lines";
+import { LineSet, type LineOptions, type Segments } from "./lines";
 import { originColor, type Rgb } from "./palette";
 import type { Part, Vec3 } from "./scene_data";
 import { edgeLines, faceNormalLines } from "./part_lines";
+import { sectionOutline } from "./section_outline";
 import * as shaders from "./shaders";
 import { floatTable, faceTable, unsignedTable } from "./tables";
 
@@ -30,6 +31,7 @@ export class PartMesh {
   readonly pieces: Piece[];
   readonly capColor: Rgb;
   private normals: LineSet | undefined;
+  private outline: LineSet | undefined;
   private readonly surface: THREE.Mesh;
   private readonly stencils: THREE.Mesh[];
   private readonly uniforms: Record<string, THREE.IUniform>;
@@ -92,17 +94,27 @@ export class PartMesh {
 
   /** Lines are made when they are first asked for. */
   showEdges(isShown: boolean): void {
-    if (isShown && !this.edges) this.edges = this.lines(edgeLines(this.part), { fade: 0.7, fadeStart: 0 });
+    if (isShown && !this.edges) this.edges = this.lines(edgeLines(this.part), { fade: 0.7, fadeStart: 0, isCut: true });
     if (this.edges) this.edges.mesh.visible = isShown;
   }
 
   showNormals(isShown: boolean): void {
-    if (isShown && !this.normals) this.normals = this.lines(faceNormalLines(this.part), { fade: 0, fadeStart: 0.75 });
+    if (isShown && !this.normals) this.normals = this.lines(faceNormalLines(this.part), { fade: 0, fadeStart: 0.75, isCut: true });
     if (this.normals) this.normals.mesh.visible = isShown;
+  }
+
+  /** Where the cut meets the boundary; nothing hides the outline. */
+  showOutline(normal: Vec3 | undefined, distance: number): void {
+    if (this.outline) this.outline.mesh.visible = normal !== undefined;
+    if (!normal) return;
+    const segments = sectionOutline(this.part, this.part.relativeVertices(), (i) => this.offset(i), normal, distance);
+    if (this.outline) this.outline.replace(segments);
+    else this.outline = this.lines(segments, { fade: 0, fadeStart: 0, isCut: false });
   }
 
   setLineColors(edges: THREE.Vector4, normals: THREE.Vector4): void {
     this.edges?.color.copy(edges);
+    this.outline?.color.copy(edges);
     this.normals?.color.copy(normals);
   }
 
@@ -127,8 +139,8 @@ export class PartMesh {
     return [k * data[4 * piece], k * data[4 * piece + 1], k * data[4 * piece + 2]];
   }
 
-  private lines(segments: Segments, fading: { fade: number; fadeStart: number }): LineSet {
-    const lines = new LineSet(segments, this.uniforms, { ...fading, order: 5e5 + this.index });
+  private lines(segments: Segments, options: Omit<LineOptions, "order">): LineSet {
+    const lines = new LineSet(segments, this.uniforms, { ...options, order: 5e5 + this.index });
     this.group.add(lines.mesh);
     return lines;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import * as THREE from "three";
 import type { PartMesh } from "./part_mesh";
+import type { Vec3 } from "./scene_data";
 import type { Stage } from "./stage";
 
 export type SectionAxis = "x" | "y" | "z" | "face";
@@ -13,6 +14,7 @@ export class Section {
   /** Along the unflipped normal, 0 at one end of the solids and 1 at the other. */
   position = 0.5;
   private readonly faceNormal = new THREE.Vector3(0, 0, 1);
+  private timer = 0;
   private low = -1;
   private high = 1;
 
@@ -20,6 +22,7 @@ export class Section {
     private readonly stage: Stage,
     private readonly meshes: PartMesh[],
     private readonly corners: () => THREE.Vector3[],
+    private readonly outlined: () => void,
   ) {}
 
   get normal(): THREE.Vector3 {
@@ -70,13 +73,32 @@ export class Section {
       mesh.cap.quaternion.copy(facing);
       mesh.cap.scale.setScalar(Math.max(1, this.stage.ball.radius));
     }
+    this.drawOutlines();
     this.stage.invalidate();
+  }
+
+  /** At once where that is quick, else when the plane rests. */
+  private drawOutlines(): void {
+    clearTimeout(this.timer);
+    const triangles = this.meshes.reduce((sum, mesh) => sum + mesh.part.triangleCount, 0);
+    const draw = () => {
+      const normal = this.isOn ? (this.normal.toArray() as Vec3) : undefined;
+      for (const mesh of this.meshes) mesh.showOutline(normal, this.offset);
+      this.outlined();
+    };
+    if (!this.isOn || triangles < 100_000) return draw();
+    for (const mesh of this.meshes) mesh.showOutline(undefined, 0);
+    this.timer = window.setTimeout(draw, 160);
   }
 
   private measureRange(): void {
     const normal = this.normal;
-    const along = this.corners().map((p) => p.dot(normal));
-    if (along.length === 0) return;
-    [this.low, this.high] = [Math.min(...along), Math.max(...along)];
+    let [low, high] = [Infinity, -Infinity];
+    for (const corner of this.corners()) {
+      const along = corner.dot(normal);
+      low = Math.min(low, along);
+      high = Math.max(high, along);
+    }
+    if (low <= high) [this.low, this.high] = [low, high];
   }
 }

@@ -187,10 +187,11 @@ export const lineFragment = /* glsl */ `
 in vec3 vPlace;
 in float vOpacity;
 uniform vec4 lineColor;
+uniform float isCut;
 out vec4 outColor;
 ${clipping}
 void main() {
-  if (isCutAway(vPlace)) discard;
+  if (isCut > 0.5 && isCutAway(vPlace)) discard;
   float opacity = lineColor.a * vOpacity;
   outColor = vec4(lineColor.rgb * opacity, opacity);
 }

@@ -22,6 +22,7 @@ export class Stage {
   private readonly orthographic = new THREE.OrthographicCamera(-1, 1, 1, -1, 0.01, 10);
   private flight: { from: Pose; to: Pose; start: number } | undefined;
   private insets: Insets = { top: 0, right: 0, bottom: 0, left: 0 };
+  private keptFreeBelow = 0;
   private isScheduled = false;
   private isHeld = false;
   private isCoarse = false;
@@ -77,9 +78,10 @@ export class Stage {
     return this.perspective.position.clone().sub(this.controls.target).normalize();
   }
 
-  /** Margins in pixels that are covered; the middle of the picture is that of the rest. */
-  setInsets(insets: Insets): void {
+  /** Margins in pixels that are covered; the middle of the picture is that of the rest. `keptFreeBelow` matters only to fitting. */
+  setInsets(insets: Insets, keptFreeBelow = 0): void {
     this.insets = insets;
+    this.keptFreeBelow = keptFreeBelow;
     this.invalidate();
   }
 
@@ -165,7 +167,7 @@ export class Stage {
     const { insets, host } = this;
     const perPixel = Math.tan(THREE.MathUtils.degToRad(fieldOfView / 2)) / (host.clientHeight / 2);
     const halfWidth = (Math.max(120, host.clientWidth - insets.left - insets.right) / 2) * 0.88;
-    const halfHeight = (Math.max(120, host.clientHeight - insets.top - insets.bottom) / 2) * 0.92;
+    const halfHeight = Math.max(60, (host.clientHeight - insets.top - insets.bottom) / 2 - this.keptFreeBelow) * 0.92;
     let distance = this.corners.length > 0 ? 0 : 4;
     for (const corner of this.corners) {
       const p = corner.clone().sub(this.ball.center);

@@ -60,7 +60,7 @@ export class Viewer {
     this.triangleCount = this.addParts();
     this.explosion = new Explosion(this.stage, this.meshes);
     this.picker = new Picker(this.stage, this.meshes, data);
-    this.section = new Section(this.stage, this.meshes, () => this.explosion.corners());
+    this.section = new Section(this.stage, this.meshes, () => this.explosion.corners(), () => this.colorLines());
     this.measure = new Measure(data, this.stage);
 
     this.panel = new Panel(data, this.meshes, {
@@ -117,6 +117,7 @@ export class Viewer {
   applySection(): void {
     this.section.apply();
     this.sectionDock.refresh();
+    this.makeRoom();
     this.toolbar.refresh();
   }
 
@@ -238,7 +239,8 @@ export class Viewer {
   /** What the panel and the tools leave free. */
   private makeRoom(): void {
     const right = this.panel.isShown && !isNarrow() ? this.panel.element.offsetWidth + 16 : 0;
-    this.stage.setInsets({ top: 62, right, bottom: 68, left: 0 });
+    const docks = [this.sectionDock.element, this.explosionDock.element].filter((dock) => !dock.hidden).length;
+    this.stage.setInsets({ top: 62, right, bottom: 68, left: 0 }, 46 * docks);
   }
 
   private toggleOrthographic(): void {
@@ -295,15 +297,21 @@ export class Viewer {
   }
 
   private applyTheme(): void {
+    const accent = getComputedStyle(document.documentElement).getPropertyValue("--accent").trim();
+    this.stage.shared.accent.value.setStyle(accent, THREE.SRGBColorSpace);
+    this.colorLines();
+    this.changed();
+  }
+
+  private colorLines(): void {
     const style = getComputedStyle(document.documentElement);
     const parse = (name: string) => new THREE.Color().setStyle(style.getPropertyValue(name).trim(), THREE.LinearSRGBColorSpace);
     const line = parse("--edge");
     const normal = parse("--normal");
-    this.stage.shared.accent.value.setStyle(style.getPropertyValue("--accent").trim(), THREE.SRGBColorSpace);
     for (const mesh of this.meshes) {
       mesh.setLineColors(new THREE.Vector4(line.r, line.g, line.b, 0.85), new THREE.Vector4(normal.r, normal.g, normal.b, 1));
     }
-    this.changed();
+    this.stage.invalidate();
   }
 
   private say(text: string, stays = false): void {
