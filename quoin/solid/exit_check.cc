@@ -77,14 +77,13 @@ class CrossingFinder {
     std::vector<Point3> points;
     points.reserve(used.size());
     for (const std::uint32_t v : used) points.push_back(vertices_[v]);
-    scene_.table = Constructions(std::move(points));
-    add_facets(used);
+    table_ = Constructions(std::move(points));
+    number_corners(used);
     constexpr std::size_t grain = 2048;
     std::vector<std::vector<TilePair>> found(chunk_count(pairs_.size(), grain));
     for_each_chunk(context_, pairs_.size(), grain, [&](const Chunk& chunk) {
-      overlay::Contacts contacts;
       for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-        if (cross(pairs_[i], contacts)) found[chunk.index].push_back({std::min(pairs_[i].a, pairs_[i].b), std::max(pairs_[i].a, pairs_[i].b)});
+        if (cross(pairs_[i])) found[chunk.index].push_back({std::min(pairs_[i].a, pairs_[i].b), std::max(pairs_[i].a, pairs_[i].b)});
       }
     });
     pairs_.clear();
@@ -93,60 +92,54 @@ class CrossingFinder {
     std::sort(pairs_.begin(), pairs_.end());
   }
 
-  void add_facets(const std::vector<std::uint32_t>& used) {
-    facet_of_.assign(triangles_.size(), overlay::none);
-    const auto add = [&](std::uint32_t t) {
-      if (facet_of_[t] != overlay::none) return;
-      facet_of_[t] = static_cast<std::uint32_t>(scene_.facets.size());
-      overlay::Facet facet{t, 0, {}};
-      for (std::size_t k = 0; k < 3; ++k) {
-        const auto at = std::lower_bound(used.begin(), used.end(), triangles_[t][k]) - used.begin();
-        facet.corners[k] = PointId{static_cast<std::size_t>(at)};
-      }
-      scene_.facets.push_back(facet);
-    };
-    for (const std::uint32_t t : moved_triangles_) add(t);
-    for (const TilePair& pair : pairs_) {
-      add(pair.a);
-      add(pair.b);
-    }
+  void number_corners(const std::vector<std::uint32_t>& used) {
+    point_of_.resize(vertices_.size());
+    for (std::size_t i = 0; i < used.size(); ++i) point_of_[used[i]] = PointId{i};
   }
 
-  bool is_flat(const overlay::Facet& f) const {
+  overlay::Corners corners(std::uint32_t t) const {
+    const Tile& tile = triangles_[t];
+    return {point_of_[tile[0]], point_of_[tile[1]], point_of_[tile[2]]};
+  }
+
+  bool is_flat(const overlay::Corners& c) const {
     for (unsigned axis = 0; axis < 3; ++axis) {
-      if (scene_.table.turn(f.corners[0], f.corners[1], f.corners[2], axis) != Sign::zero) return false;
+      if (table_.turn(c[0], c[1], c[2], axis) != Sign::zero) return false;
     }
     return true;
   }
 
   void add_flat_triangles() {
     for (const std::uint32_t t : moved_triangles_) {
-      if (is_flat(scene_.facets[facet_of_[t]])) pairs_.push_back({t, t});
+      if (is_flat(corners(t))) pairs_.push_back({t, t});
     }
   }
 
-  bool cross(const TilePair& pair, overlay::Contacts& contacts) const {
-    const overlay::Facet& a = scene_.facets[facet_of_[pair.a]];
-    const overlay::Facet& b = scene_.facets[facet_of_[pair.b]];
+  bool cross(const TilePair& pair) const {
+    const overlay::Corners a = corners(pair.a);
+    const overlay::Corners b = corners(pair.b);
     std::size_t shared = 0;
-    for (const PointId p : a.corners) {
-      for (const PointId q : b.corners) {
+    for (const PointId p : a) {
+      for (const PointId q : b) {
         if (p == q) {
           ++shared;
-        } else if (scene_.table.rounded(p) == scene_.table.rounded(q)) {
+        } else if (table_.rounded(p) == table_.rounded(q)) {
           return true;
         }
       }
     }
     if (shared == 3) return true;
+    if (shared == 2 && orientation_of_apex(a, b) != Sign::zero) return false;
     if (is_flat(a) || is_flat(b)) return false;  // listed by itself
-    contacts.keys.clear();
-    contacts.edge_points.clear();
-    contacts.facet_points.clear();
-    contacts.traces.clear();
-    contacts.adjoining.clear();
-    overlay::find_contacts(scene_, {facet_of_[pair.a], facet_of_[pair.b]}, contacts);
-    return !contacts.edge_points.empty() || !contacts.facet_points.empty() || !contacts.traces.empty();
+    return overlay::have_contacts(table_, a, b);
+  }
+
+  // Of triangles with a common edge: the side of the first one's plane on which the other's third corner lies.
+  Sign orientation_of_apex(const overlay::Corners& a, const overlay::Corners& b) const {
+    for (const PointId q : b) {
+      if (q != a[0] && q != a[1] && q != a[2]) return table_.orientation(a[0], a[1], a[2], q);
+    }
+    return Sign::zero;
   }
 
   std::span<const Point3> vertices_;
@@ -157,8 +150,8 @@ class CrossingFinder {
   std::vector<Tile> tiles_;  // those
   BoxTree tree_;             // of those
   std::vector<TilePair> pairs_;
-  overlay::Scene scene_;
-  std::vector<std::uint32_t> facet_of_;
+  Constructions table_{std::vector<Point3>{}};
+  std::vector<PointId> point_of_;  // per vertex that occurs in a pair
 };
 
 }  // namespace

@@ -40,12 +40,12 @@ bool all_zero(const Signs& signs) {
 }
 
 // Sides of the corners of `facet` with respect to the plane of `other`. A shared corner needs no arithmetic.
-Signs sides(const Constructions& table, const Facet& facet, const Facet& other) {
+Signs sides(const Constructions& table, const Corners& facet, const Corners& other) {
   Signs result;
   for (std::size_t k = 0; k < 3; ++k) {
-    const PointId p = facet.corners[k];
-    const auto& o = other.corners;
-    result[k] = p == o[0] || p == o[1] || p == o[2] ? Sign::zero : table.orientation(o[0], o[1], o[2], p);
+    const PointId p = facet[k];
+    const bool is_shared = p == other[0] || p == other[1] || p == other[2];
+    result[k] = is_shared ? Sign::zero : table.orientation(other[0], other[1], other[2], p);
   }
   return result;
 }
@@ -80,21 +80,21 @@ Span span_of(const Signs& signs) {
 using DirectedEdge = std::pair<PointId, PointId>;
 
 // An edge of the facet that passes through the place from below to above.
-DirectedEdge rising_edge(const Facet& facet, const Signs& signs, Place place) {
+DirectedEdge rising_edge(const Corners& facet, const Signs& signs, Place place) {
   const std::size_t i = place.index;
   if (place.feature == Feature::edge) {
-    const DirectedEdge forward{facet.corners[i], facet.corners[next(i)]};
+    const DirectedEdge forward{facet[i], facet[next(i)]};
     return signs[i] == Sign::negative ? forward : DirectedEdge{forward.second, forward.first};
   }
   const std::size_t j = signs[next(i)] != Sign::zero ? next(i) : previous(i);
-  if (signs[j] == Sign::positive) return {facet.corners[i], facet.corners[j]};
-  return {facet.corners[j], facet.corners[i]};
+  if (signs[j] == Sign::positive) return {facet[i], facet[j]};
+  return {facet[j], facet[i]};
 }
 
 class PairOfFacets {
  public:
-  PairOfFacets(const Scene& scene, FacetPair pair, Contacts& out)
-      : scene_(scene), table_(scene.table), pair_(pair), s_(scene.facets[pair.a]), t_(scene.facets[pair.b]), out_(out) {}
+  PairOfFacets(const Constructions& table, const Corners& s, const Corners& t, FacetPair pair, Contacts& out)
+      : table_(table), pair_(pair), s_(s), t_(t), out_(out) {}
 
   // False when the facets lie in one plane.
   bool run() {
@@ -113,7 +113,7 @@ class PairOfFacets {
  private:
   // Positive when place q of t comes after place p of s on the common line.
   Sign order(Place p, Place q) const {
-    if (p.feature == Feature::vertex && q.feature == Feature::vertex && s_.corners[p.index] == t_.corners[q.index]) {
+    if (p.feature == Feature::vertex && q.feature == Feature::vertex && s_[p.index] == t_[q.index]) {
       return Sign::zero;
     }
     const DirectedEdge e = rising_edge(s_, signs_s_, p);
@@ -148,32 +148,25 @@ class PairOfFacets {
     const Sign at_end = order(span_s_.last, span_t_.last);
     const PointRef end = meet(at_end == Sign::negative ? between(span_s_) : span_s_.last,
                               at_end == Sign::positive ? between(span_t_) : span_t_.last);
-    if ((span_s_.along_edge || span_t_.along_edge) && !are_neighbours()) out_.adjoining.push_back(pair_);
+    if (span_s_.along_edge || span_t_.along_edge) out_.adjoining.push_back(pair_);
     if (!span_s_.along_edge) out_.traces.push_back({pair_.a, start, end, pair_.b, {}});
     if (!span_t_.along_edge) out_.traces.push_back({pair_.b, start, end, pair_.a, {}});
   }
 
-  // Of one leaf, joined in the edge along which both meet the other's plane.
-  bool are_neighbours() const {
-    if (s_.leaf != t_.leaf || !span_s_.along_edge || !span_t_.along_edge) return false;
-    const Scene::Halfedge twin = scene_.twin(s_.tile, span_s_.edge, s_.leaf);
-    return twin.tile == t_.tile && twin.edge == span_t_.edge;
-  }
-
-  Edge edge_of(const Facet& facet, Place place) const {
-    return edge_between(facet.corners[place.index], facet.corners[next(place.index)]);
+  Edge edge_of(const Corners& facet, Place place) const {
+    return edge_between(facet[place.index], facet[next(place.index)]);
   }
 
   PointRef meet(Place in_s, Place in_t) {
-    if (in_s.feature == Feature::vertex) return post_vertex(s_.corners[in_s.index], t_, pair_.b, in_t);
-    if (in_t.feature == Feature::vertex) return post_vertex(t_.corners[in_t.index], s_, pair_.a, in_s);
+    if (in_s.feature == Feature::vertex) return post_vertex(s_[in_s.index], t_, pair_.b, in_t);
+    if (in_t.feature == Feature::vertex) return post_vertex(t_[in_t.index], s_, pair_.a, in_s);
     if (in_s.feature == Feature::edge && in_t.feature == Feature::edge) {
       return post_edges(edge_of(s_, in_s), edge_of(t_, in_t));
     }
     return in_s.feature == Feature::edge ? post_edge(edge_of(s_, in_s), pair_.b) : post_edge(edge_of(t_, in_t), pair_.a);
   }
 
-  PointRef post_vertex(PointId v, const Facet& facet, std::uint32_t facet_index, Place place) {
+  PointRef post_vertex(PointId v, const Corners& facet, std::uint32_t facet_index, Place place) {
     const PointRef ref = PointRef::point(v);
     if (place.feature == Feature::edge) out_.edge_points.push_back({edge_of(facet, place), ref});
     if (place.feature == Feature::interior) out_.facet_points.push_back({facet_index, ref});
@@ -197,11 +190,10 @@ class PairOfFacets {
     return ref;
   }
 
-  const Scene& scene_;
   const Constructions& table_;
   FacetPair pair_;
-  const Facet& s_;
-  const Facet& t_;
+  const Corners& s_;
+  const Corners& t_;
   Contacts& out_;
   Signs signs_s_{};
   Signs signs_t_{};
@@ -209,10 +201,32 @@ class PairOfFacets {
   Span span_t_;
 };
 
+// Tiles of one leaf that are joined in an edge and lie in different planes have nothing but that edge in common.
+bool are_neighbours(const Scene& scene, const Facet& s, const Facet& t) {
+  if (s.leaf != t.leaf) return false;
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    if (scene.twin(s.tile, k, s.leaf).tile == t.tile) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 void find_contacts(const Scene& scene, FacetPair pair, Contacts& out) {
-  if (!PairOfFacets(scene, pair, out).run()) find_coplanar_contacts(scene, pair, out);
+  const Facet& s = scene.facets[pair.a];
+  const Facet& t = scene.facets[pair.b];
+  const std::size_t adjoining = out.adjoining.size();
+  if (!PairOfFacets(scene.table, s.corners, t.corners, pair, out).run()) {
+    find_coplanar_contacts(scene.table, s.corners, t.corners, pair, out);
+  } else if (out.adjoining.size() > adjoining && are_neighbours(scene, s, t)) {
+    out.adjoining.pop_back();
+  }
+}
+
+bool have_contacts(const Constructions& table, const Corners& a, const Corners& b) {
+  Contacts contacts;
+  if (!PairOfFacets(table, a, b, {0, 1}, contacts).run()) find_coplanar_contacts(table, a, b, {0, 1}, contacts);
+  return !contacts.edge_points.empty() || !contacts.facet_points.empty() || !contacts.traces.empty();
 }
 
 }  // namespace quoin::overlay

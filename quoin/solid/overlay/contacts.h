@@ -78,7 +78,10 @@ struct Contacts {
 /// Source: Guigue and Devillers 2003 for the order of the two intervals on the common line.
 void find_contacts(const Scene& scene, FacetPair pair, Contacts& out);
 
-/// The same for two facets in one plane.
-void find_coplanar_contacts(const Scene& scene, FacetPair pair, Contacts& out);
+/// Whether two triangles over explicit points meet outside the vertices (by id) and edges that they share.
+bool have_contacts(const Constructions& points, const Corners& a, const Corners& b);
+
+/// What two facets in one plane have in common.
+void find_coplanar_contacts(const Constructions& points, const Corners& a, const Corners& b, FacetPair pair, Contacts& out);
 
 }  // namespace quoin::overlay

@@ -14,8 +14,6 @@ namespace {
 
 constexpr std::size_t next(std::size_t k) { return k == 2 ? 0 : k + 1; }
 
-using Corners = std::array<PointId, 3>;
-
 // inside[j][i]: side of corner i of one facet with respect to edge j of the other.
 using Sides = std::array<std::array<Sign, 3>, 3>;
 
@@ -41,8 +39,8 @@ unsigned projection_axis(const Constructions& table, const Corners& c) {
 
 class CoplanarPair {
  public:
-  CoplanarPair(const Scene& scene, FacetPair pair, Contacts& out)
-      : table_(scene.table), pair_(pair), s_(scene.facets[pair.a].corners), t_(scene.facets[pair.b].corners), out_(out) {
+  CoplanarPair(const Constructions& table, const Corners& s, const Corners& t, FacetPair pair, Contacts& out)
+      : table_(table), pair_(pair), s_(s), t_(t), out_(out) {
     axis_ = projection_axis(table_, s_);
   }
 
@@ -165,6 +163,8 @@ class CoplanarPair {
 
 }  // namespace
 
-void find_coplanar_contacts(const Scene& scene, FacetPair pair, Contacts& out) { CoplanarPair(scene, pair, out).run(); }
+void find_coplanar_contacts(const Constructions& table, const Corners& a, const Corners& b, FacetPair pair, Contacts& out) {
+  CoplanarPair(table, a, b, pair, out).run();
+}
 
 }  // namespace quoin::overlay

@@ -15,11 +15,13 @@ namespace quoin::overlay {
 
 constexpr std::uint32_t none = 0xFFFFFFFFU;
 
+using Corners = std::array<PointId, 3>;
+
 /// A tile that may meet others. Its plane, once set, is the plane of the same index in the table.
 struct Facet {
   std::uint32_t tile;             ///< number of the tile in the scene
   std::uint32_t leaf;
-  std::array<PointId, 3> corners; ///< equal points of all facets share one id
+  Corners corners;  ///< equal points of all facets share one id
 };
 
 /// Two facets whose boxes meet.

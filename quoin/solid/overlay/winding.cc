@@ -13,8 +13,6 @@ namespace {
 
 constexpr double unit = 0x1p-53;  // half an ulp of 1
 
-using Corners = std::array<PointId, 3>;
-
 const Rational& coordinate(const RationalPoint3& p, unsigned axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
 
 Rational cross(const RationalPoint3& a, const RationalPoint3& b, const RationalPoint3& c, unsigned axis) {

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quoin/solid/leaf.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "quoin/base/parallel.h"
+#include "quoin/solid/leaf_crossings.h"
+#include "quoin/solid/leaf_tiles.h"
+#include "quoin/solid/leaf_twins.h"
+
+namespace quoin {
+
+namespace {
+
+bool note_not_finite(const Mesh& mesh, std::size_t max_listed, MeshDiagnosis& diagnosis) {
+  for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
+    const Point3& p = mesh.vertices[v];
+    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) note(diagnosis.not_finite, v, max_listed);
+  }
+  return diagnosis.not_finite.count != 0;
+}
+
+// -0.0 becomes +0.0, so that equal points have equal bits.
+std::vector<Point3> plain_zeros(const std::vector<Point3>& points) {
+  std::vector<Point3> result(points.size());
+  std::transform(points.begin(), points.end(), result.begin(), [](const Point3& p) { return Point3{p.x + 0.0, p.y + 0.0, p.z + 0.0}; });
+  return result;
+}
+
+// Duplicates leave edges that are used too often; without such edges there is none.
+void note_duplicates(const Leaf& leaf, std::size_t max_listed, MeshDiagnosis& diagnosis) {
+  if (diagnosis.is_closed() && diagnosis.nonmanifold_edges.count == 0) return;
+  std::vector<std::pair<Tile, std::uint32_t>> turned;
+  for (std::uint32_t t = 0; t < leaf.tiles.size(); ++t) {
+    Tile tile = leaf.tiles[t];
+    std::rotate(tile.begin(), std::min_element(tile.begin(), tile.end()), tile.end());
+    turned.push_back({tile, leaf.tile_face[t]});
+  }
+  std::sort(turned.begin(), turned.end());
+  for (std::size_t i = 1; i < turned.size(); ++i) {
+    if (turned[i].first == turned[i - 1].first) {
+      note(diagnosis.duplicate_faces, FacePair{turned[i - 1].second, turned[i].second}, max_listed);
+    }
+  }
+}
+
+// Coplanar neighbours that do not fold back on each other.
+bool is_flat(const Leaf& leaf, const Constructions& points, std::uint32_t halfedge) {
+  const Tile& s = leaf.tiles[halfedge / 3];
+  const std::uint32_t twin = leaf.twins[halfedge];
+  const PointId apex{leaf.tiles[twin / 3][(twin % 3 + 2) % 3]};
+  if (points.orientation(PointId{s[0]}, PointId{s[1]}, PointId{s[2]}, apex) != Sign::zero) return false;
+  const PointId from{s[halfedge % 3]};
+  const PointId to{s[(halfedge % 3 + 1) % 3]};
+  const PointId own{s[(halfedge % 3 + 2) % 3]};
+  for (unsigned axis = 0; axis < 3; ++axis) {
+    const Sign turn = points.turn(from, to, own, axis);
+    if (turn != Sign::zero) return points.turn(from, to, apex, axis) == -turn;
+  }
+  return false;
+}
+
+void mark_flat_edges(Leaf& leaf, const Constructions& points, const Context& context) {
+  constexpr std::size_t grain = 65536;  // a multiple of the bits in a word, so that chunks write apart
+  leaf.flat.assign(leaf.twins.size(), false);
+  for_each_chunk(context, leaf.twins.size(), grain, [&](const Chunk& chunk) {
+    for (auto h = static_cast<std::uint32_t>(chunk.begin); h < chunk.end; ++h) {
+      if (leaf.twins[h] != Leaf::no_twin && is_flat(leaf, points, h)) leaf.flat[h] = true;
+    }
+  });
+}
+
+}  // namespace
+
+LeafResult make_leaf(const Mesh& mesh, const LeafOptions& options, const Context& context) {
+  LeafResult result;
+  if (note_not_finite(mesh, options.max_listed, result.diagnosis)) return result;
+  auto leaf = std::make_shared<Leaf>();
+  leaf->vertices = plain_zeros(mesh.vertices);
+  leaf->name = mesh.name;
+  leaf->face_colors = mesh.face_colors;
+  const Constructions points(leaf->vertices);
+  context.progress("faces", 0);
+  MeshTiles tiles = make_tiles(mesh, points, options.max_listed, result.diagnosis, context);
+  leaf->tiles = std::move(tiles.tiles);
+  leaf->tile_face = std::move(tiles.tile_face);
+  match_twins(*leaf, options.max_listed, result.diagnosis, context);
+  note_duplicates(*leaf, options.max_listed, result.diagnosis);
+  mark_flat_edges(*leaf, points, context);
+  leaf->tree = BoxTree(leaf->vertices, leaf->tiles, context);
+  leaf->crosses_itself = true;
+  if (options.find_crossings) find_self_crossings(*leaf, points, options.max_listed, result.diagnosis, context);
+  if (!result.diagnosis.is_closed()) return result;
+  if (!leaf->crosses_itself) find_inverted_components(leaf, options.max_listed, result.diagnosis, context);
+  result.leaf = std::move(leaf);
+  return result;
+}
+
+}  // namespace quoin
