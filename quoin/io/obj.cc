@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <map>
+
+#include "quoin/io/readers.h"
+#include "quoin/io/text_lines.h"
+
+namespace quoin::io {
+
+namespace {
+
+class ObjReader {
+ public:
+  ObjReader(std::string_view bytes, const std::string& name, const Context& context) : lines_(bytes, name, '#'), context_(context) {
+    lines_.join_continued_lines();
+    file_.report.format = MeshFormat::obj;
+  }
+
+  MeshFile run() {
+    while (lines_.next()) {
+      if (++statements_ % 4096 == 0) context_.poll();
+      const std::string_view keyword = lines_.words()[0];
+      if (keyword == "v") {
+        read_vertex();
+      } else if (keyword == "f" || keyword == "fo") {
+        read_face();
+      } else if (keyword == "o" && file_.mesh.name.empty() && lines_.words().size() > 1) {
+        file_.mesh.name = lines_.words()[1];
+      } else {
+        skip(keyword);
+      }
+    }
+    for (const auto& [keyword, count] : skipped_) {
+      file_.report.warnings.push_back("'" + keyword + "' statements are not kept: " + std::to_string(count));
+    }
+    return std::move(file_);
+  }
+
+ private:
+  void skip(std::string_view keyword) {
+    for (const std::string_view free_form : {"curv", "curv2", "surf", "cstype", "parm", "bmat"}) {
+      if (keyword == free_form) lines_.fail("free-form curves and surfaces are not read");
+    }
+    for (const char c : keyword) {
+      if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) > 0x7E) lines_.fail("this is not an OBJ file");
+    }
+    if (skipped_.size() < 40) ++skipped_[std::string(keyword.substr(0, 20))];
+  }
+
+  void read_vertex() {
+    const auto& words = lines_.words();
+    if (words.size() < 4) lines_.fail("a vertex has fewer than three coordinates");
+    if (words.size() > 5) ++skipped_["v with colour"];
+    file_.mesh.vertices.push_back({lines_.number(words[1]), lines_.number(words[2]), lines_.number(words[3])});
+  }
+
+  void read_face() {
+    const auto& words = lines_.words();
+    if (words.size() < 2) lines_.fail("a face without corners");
+    Mesh& mesh = file_.mesh;
+    for (std::size_t k = 1; k < words.size(); ++k) {
+      std::int64_t v = lines_.integer(words[k].substr(0, words[k].find('/')));
+      const auto count = static_cast<std::int64_t>(mesh.vertices.size());
+      v = v < 0 ? count + v : v - 1;
+      if (v < 0 || v >= count) lines_.fail("vertex " + std::string(words[k].substr(0, 30)) + " is not there");
+      mesh.corners.push_back(static_cast<std::uint32_t>(v));
+    }
+    mesh.face_begin.push_back(mesh.corners.size());
+  }
+
+  TextLines lines_;
+  const Context& context_;
+  MeshFile file_;
+  std::size_t statements_ = 0;
+  std::map<std::string, std::size_t> skipped_;
+};
+
+}  // namespace
+
+MeshFile read_obj(std::string_view bytes, const std::string& name, const Context& context) {
+  return ObjReader(bytes, name, context).run();
+}
+
+}  // namespace quoin::io

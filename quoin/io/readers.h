@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "quoin/base/context.h"
+#include "quoin/io/mesh_file.h"
+
+namespace quoin::io {
+
+/// One reader per format. Each leaves vertices as the file has them, not welded. @throws InputError
+MeshFile read_off(std::string_view bytes, const std::string& name, const Context& context);
+MeshFile read_obj(std::string_view bytes, const std::string& name, const Context& context);
+MeshFile read_stl_text(std::string_view bytes, const std::string& name, const Context& context);
+MeshFile read_stl_binary(std::string_view bytes, const std::string& name, const Context& context);
+MeshFile read_ply(std::string_view bytes, const std::string& name, const Context& context);
+
+/// A binary STL file has just the size that its count of triangles asks for.
+bool is_stl_binary(std::string_view bytes);
+
+}  // namespace quoin::io

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quoin/io/text_lines.h"
+
+#include <charconv>
+#include <cmath>
+
+namespace quoin::io {
+
+namespace {
+
+std::string quoted(std::string_view word) { return "'" + std::string(word.substr(0, 40)) + "'"; }
+
+}  // namespace
+
+bool parse_number(std::string_view word, double& value) {
+  if (word.starts_with('+')) word.remove_prefix(1);
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (end != word.data() + word.size()) return false;
+  if (error == std::errc::result_out_of_range) {  // too small is nearest to zero, too large is no double
+    const std::size_t exponent = word.find_first_of("eE");
+    const bool tiny = exponent != std::string_view::npos && word.substr(exponent).find('-') != std::string_view::npos;
+    value = 0;
+    return tiny;
+  }
+  return error == std::errc() && std::isfinite(value);
+}
+
+std::string_view TextLines::take_line() {
+  ++line_;
+  const std::size_t end = std::min(text_.find_first_of("\r\n", position_), text_.size());
+  const std::string_view line = text_.substr(position_, end - position_);
+  position_ = end;
+  if (position_ < text_.size()) {
+    const bool pair = text_[position_] == '\r' && position_ + 1 < text_.size() && text_[position_ + 1] == '\n';
+    position_ += pair ? 2 : 1;
+  }
+  return line;
+}
+
+void TextLines::split(std::string_view line) {
+  line = line.substr(0, line.find(comment_));
+  std::size_t i = 0;
+  while (true) {
+    i = line.find_first_not_of(" \t\v\f", i);
+    if (i == std::string_view::npos) return;
+    const std::size_t end = std::min(line.find_first_of(" \t\v\f", i), line.size());
+    words_.push_back(line.substr(i, end - i));
+    i = end;
+  }
+}
+
+bool TextLines::next() {
+  words_.clear();
+  while (words_.empty()) {
+    if (position_ >= text_.size()) return false;
+    split(take_line());
+    while (joins_ && !words_.empty() && words_.back().ends_with('\\') && position_ < text_.size()) {
+      words_.back().remove_suffix(1);
+      if (words_.back().empty()) words_.pop_back();
+      split(take_line());
+    }
+  }
+  return true;
+}
+
+void TextLines::need(std::string_view expected) {
+  if (!next()) fail("the file ends where " + std::string(expected) + " should follow");
+}
+
+double TextLines::number(std::string_view word) const {
+  double value = 0;
+  if (!parse_number(word, value)) fail(quoted(word) + " is not a finite number");
+  return value;
+}
+
+std::int64_t TextLines::integer(std::string_view word) const {
+  if (word.starts_with('+')) word.remove_prefix(1);
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error != std::errc() || end != word.data() + word.size()) fail(quoted(word) + " is not an integer");
+  return value;
+}
+
+}  // namespace quoin::io

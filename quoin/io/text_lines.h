@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "quoin/base/error.h"
+
+namespace quoin::io {
+
+/// Lines of a text, ended by \n, \r\n or \r, split into words; comments start with a given character.
+class TextLines {
+ public:
+  TextLines(std::string_view text, std::string name, char comment) : text_(text), name_(std::move(name)), comment_(comment) {
+    if (text_.starts_with("\xEF\xBB\xBF")) text_.remove_prefix(3);
+  }
+
+  /// Goes to the next line that has words; false at the end.
+  bool next();
+  /// The same, but the end is an error that names what was expected.
+  void need(std::string_view expected);
+  const std::vector<std::string_view>& words() const { return words_; }
+  std::size_t line() const { return line_; }
+  /// A line that ends in a backslash goes on in the next one.
+  void join_continued_lines() { joins_ = true; }
+
+  [[noreturn]] void fail(std::string_view what) const {
+    throw InputError(name_ + ":" + std::to_string(line_) + ": " + std::string(what));
+  }
+  double number(std::string_view word) const;
+  std::int64_t integer(std::string_view word) const;
+
+ private:
+  std::string_view take_line();
+  void split(std::string_view line);
+
+  std::string_view text_;
+  std::string name_;
+  char comment_;
+  bool joins_ = false;
+  std::size_t position_ = 0;
+  std::size_t line_ = 0;
+  std::vector<std::string_view> words_;
+};
+
+/// A finite double from the whole word, else false. Accepts a leading plus sign.
+bool parse_number(std::string_view word, double& value);
+
+}  // namespace quoin::io
