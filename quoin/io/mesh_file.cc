@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quoin/io/mesh_file.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+
+#include "quoin/base/error.h"
+#include "quoin/io/readers.h"
+#include "quoin/io/weld.h"
+
+namespace quoin {
+
+namespace {
+
+std::string ending_of(const std::filesystem::path& path) {
+  std::string ending = path.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending;
+}
+
+std::string_view first_word(std::string_view bytes) {
+  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
+  const std::size_t begin = std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size());
+  return bytes.substr(begin, bytes.find_first_of(" \t\r\n", begin) - begin);
+}
+
+MeshFile read_by_content(std::string_view bytes, const std::string& name, const Context& context) {
+  if (bytes.empty()) throw InputError(name + ": the file is empty");
+  const std::string ending = ending_of(name);
+  const std::string_view word = first_word(bytes);
+  if (word == "ply") return io::read_ply(bytes, name, context);
+  if (io::is_stl_binary(bytes)) return io::read_stl_binary(bytes, name, context);
+  if (word.ends_with("OFF") && word.size() <= 7) return io::read_off(bytes, name, context);
+  if (ending == ".stl") {
+    return word == "solid" || word == "facet" ? io::read_stl_text(bytes, name, context) : io::read_stl_binary(bytes, name, context);
+  }
+  if (ending == ".ply") throw InputError(name + ":1: 'ply' should stand here");
+  if (ending == ".off") return io::read_off(bytes, name, context);
+  if (ending == ".obj") return io::read_obj(bytes, name, context);
+  if (word == "solid") return io::read_stl_text(bytes, name, context);
+  if (word == "v" || word == "#" || word == "o" || word == "g" || word == "mtllib") return io::read_obj(bytes, name, context);
+  throw InputError(name + ": neither the content nor the ending tells a format that is read (OFF, OBJ, STL, PLY)");
+}
+
+}  // namespace
+
+std::optional<MeshFormat> format_from_path(const std::filesystem::path& path) {
+  const std::string ending = ending_of(path);
+  if (ending == ".off") return MeshFormat::off;
+  if (ending == ".obj") return MeshFormat::obj;
+  if (ending == ".stl") return MeshFormat::stl_binary;
+  if (ending == ".ply") return MeshFormat::ply_binary_little;
+  return std::nullopt;
+}
+
+std::string read_file(const std::filesystem::path& path) {
+  const std::string name = path.string();
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) throw FileError(name + ": is a directory");
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(name.c_str(), "rb"), &std::fclose);
+  if (!file) throw FileError(name + ": cannot be opened: " + std::strerror(errno));
+  std::string bytes;
+  const auto size = std::filesystem::file_size(path, error);
+  if (!error) bytes.reserve(size);
+  std::size_t read = 0;
+  do {
+    const std::size_t before = bytes.size();
+    const std::size_t want = std::max<std::size_t>(bytes.capacity() - before, 65536);
+    bytes.resize(before + want);
+    read = std::fread(bytes.data() + before, 1, want, file.get());
+    bytes.resize(before + read);
+  } while (read != 0);
+  if (std::ferror(file.get()) != 0) throw FileError(name + ": cannot be read: " + std::strerror(errno));
+  return bytes;
+}
+
+MeshFile read_mesh(std::string_view bytes, const std::string& name, const ReadOptions& options, const Context& context) {
+  context.progress("reading", 0);
+  MeshFile file = read_by_content(bytes, name, context);
+  file.report.vertices_in_file = file.mesh.vertices.size();
+  if (file.mesh.name.empty()) file.mesh.name = std::filesystem::path(name).stem().string();
+  io::weld(file.mesh, options, file.report, context);
+  return file;
+}
+
+MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options, const Context& context) {
+  return read_mesh(read_file(path), path.string(), options, context);
+}
+
+}  // namespace quoin
