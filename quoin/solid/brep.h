@@ -22,8 +22,7 @@ struct Origin {
 /// A connected part of a boundary: faces joined through edges, where around an edge the two faces that enclose material
 /// between them are joined.
 struct Shell {
-  std::uint32_t component;   ///< index of the connected piece of material that it bounds
-  bool is_void;              ///< bounds its component from inside (a cavity)
+  bool is_void;  ///< bounds material from inside (a cavity)
 };
 
 /// Boundary of a solid: maximal planar faces with holes over exact vertices.
@@ -42,7 +41,7 @@ struct Brep {
   std::vector<Origin> origins;                      ///< the input faces a face lies on, ascending; at least one per face
   std::vector<std::uint32_t> face_shells;           ///< index into shells
   std::vector<Shell> shells;
-  std::uint32_t component_count = 0;
+  std::uint32_t component_count = 0;                ///< connected pieces of material
   bool is_unbounded = false;                        ///< the solid contains all points far away (complements)
   std::vector<Color> face_colors;                   ///< empty, or per face
   std::vector<std::string> leaf_names;              ///< by Origin::leaf

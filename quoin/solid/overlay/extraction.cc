@@ -7,6 +7,7 @@
 
 #include "quoin/solid/overlay/disjoint_sets.h"
 #include "quoin/solid/overlay/face_loops.h"
+#include "quoin/solid/overlay/shell_orientation.h"
 #include "quoin/solid/overlay/vertex_dissolving.h"
 
 namespace quoin::overlay {
@@ -48,6 +49,7 @@ class Extractor {
     for (const auto& leaf : scene_.leaves) brep_.leaf_names.push_back(leaf->name);
     dissolve_vertices(scene_.table, brep_);
     compact_points();
+    orient_shells(brep_);
     return std::move(brep_);
   }
 
@@ -255,7 +257,7 @@ class Extractor {
     if (shell_number_.empty()) shell_number_.assign(shells_.size(), none);
     if (shell_number_[root] == none) {
       shell_number_[root] = static_cast<std::uint32_t>(brep_.shells.size());
-      brep_.shells.push_back({shell_number_[root], false});
+      brep_.shells.push_back({false});
     }
     return shell_number_[root];
   }

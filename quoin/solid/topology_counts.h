@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+
+#include "quoin/solid/brep.h"
+
+namespace quoin {
+
+/// Elements of a boundary, and where it is no manifold.
+struct TopologyCounts {
+  std::size_t vertices = 0;
+  std::size_t edges = 0;
+  std::size_t faces = 0;
+  std::size_t loops = 0;
+  std::size_t unbalanced_edges = 0;      ///< not used as often in one direction as in the other: never in a valid boundary
+  std::size_t nonmanifold_edges = 0;     ///< with more than two faces
+  std::size_t nonmanifold_vertices = 0;  ///< whose faces form more than one fan
+
+  bool is_closed() const { return unbalanced_edges == 0; }
+  bool is_manifold() const { return is_closed() && nonmanifold_edges == 0 && nonmanifold_vertices == 0; }
+};
+
+/// O(n log n), from the loops alone.
+TopologyCounts count_topology(const Brep& boundary);
+
+}  // namespace quoin
