@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "quoin/base/context.h"
+#include "quoin/cli/options.h"
+#include "quoin/io/mesh_file.h"
+#include "quoin/solid/leaf.h"
+
+namespace quoin::cli {
+
+/// Reads a file or standard input and passes its warnings to `warnings`.
+Mesh load_mesh(const std::string& name, const Options& options, std::vector<std::string>& warnings, const Context& context);
+
+/// Reads an operand. @throws InputError with the diagnosis when it does not bound a solid
+std::shared_ptr<const Leaf> load_leaf(const std::string& name, const Options& options, std::vector<std::string>& warnings,
+                                      const Context& context);
+
+/// One line per kind of finding, with the first elements.
+std::vector<std::string> describe(const MeshDiagnosis& diagnosis);
+
+}  // namespace quoin::cli

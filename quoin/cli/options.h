@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace quoin::cli {
+
+/// What all commands understand.
+struct Options {
+  std::vector<std::string> inputs;      ///< files, or "-" for standard input
+  std::vector<std::string> outputs;     ///< files with a known ending, "-" for OFF on standard output
+  std::string expression;               ///< of `csg`
+  bool json = false;
+  bool quiet = false;
+  bool verbose = false;
+  bool accept_rounding = false;
+  unsigned threads = 0;
+  std::uint64_t seed = 0;
+  std::optional<double> timeout;        ///< seconds
+  std::optional<double> weld_tolerance;
+};
+
+}  // namespace quoin::cli

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quoin/io/exact_text.h"
+
+#include <fstream>
+#include <ostream>
+
+#include "quoin/base/error.h"
+#include "quoin/io/text_lines.h"
+
+namespace quoin {
+
+namespace {
+
+class ExactReader {
+ public:
+  ExactReader(std::string_view text, const std::string& name) : size_(text.size()), lines_(text, name, '#') {}
+
+  Brep run() {
+    expect("quoin-solid", 2);
+    if (lines_.words()[1] != "1") lines_.fail("this version of the format is not known");
+    expect("unbounded", 2);
+    brep_.is_unbounded = lines_.words()[1] == "yes";
+    read_names();
+    read_shells();
+    read_points();
+    read_faces();
+    return std::move(brep_);
+  }
+
+ private:
+  void expect(std::string_view keyword, std::size_t words) {
+    lines_.need("'" + std::string(keyword) + "'");
+    if (lines_.words()[0] != keyword || lines_.words().size() < words) lines_.fail("'" + std::string(keyword) + "' should stand here");
+  }
+
+  std::size_t count(std::size_t word) const {
+    const std::int64_t value = lines_.integer(lines_.words().at(word));
+    if (value < 0 || static_cast<std::uint64_t>(value) > size_) lines_.fail("this count does not fit the file's size");
+    return static_cast<std::size_t>(value);
+  }
+
+  std::uint32_t index(std::size_t word, std::size_t bound) const {
+    if (word >= lines_.words().size()) lines_.fail("the line is too short");
+    const std::int64_t value = lines_.integer(lines_.words()[word]);
+    if (value < 0 || static_cast<std::uint64_t>(value) >= bound) lines_.fail("index " + std::to_string(value) + " is out of range");
+    return static_cast<std::uint32_t>(value);
+  }
+
+  Rational rational(std::string_view word) const {
+    try {
+      return Rational::parse(word);
+    } catch (const InputError& error) {
+      lines_.fail(error.what());
+    }
+  }
+
+  void read_names() {
+    expect("inputs", 2);
+    const std::size_t names = count(1);
+    for (std::size_t i = 0; i < names; ++i) {
+      expect("input", 1);
+      std::string name;
+      for (std::size_t w = 1; w < lines_.words().size(); ++w) name += (w > 1 ? " " : "") + std::string(lines_.words()[w]);
+      brep_.leaf_names.push_back(name);
+    }
+  }
+
+  void read_shells() {
+    expect("components", 2);
+    brep_.component_count = static_cast<std::uint32_t>(count(1));
+    expect("shells", 2);
+    const std::size_t shells = count(1);
+    for (std::size_t i = 0; i < shells; ++i) {
+      expect("shell", 2);
+      brep_.shells.push_back({lines_.words()[1] == "void"});
+    }
+  }
+
+  void read_points() {
+    expect("points", 2);
+    const std::size_t points = count(1);
+    std::vector<RationalPoint3> exact;
+    for (std::size_t i = 0; i < points; ++i) {
+      lines_.need("point " + std::to_string(i));
+      if (lines_.words().size() != 3) lines_.fail("a point has three coordinates");
+      exact.push_back({rational(lines_.words()[0]), rational(lines_.words()[1]), rational(lines_.words()[2])});
+    }
+    brep_.points = Constructions(std::move(exact));
+  }
+
+  void read_faces() {
+    expect("faces", 2);
+    const std::size_t faces = count(1);
+    const std::size_t points = brep_.points.point_count();
+    for (std::size_t f = 0; f < faces; ++f) {
+      expect("face", 7);
+      brep_.face_shells.push_back(index(1, brep_.shells.size()));
+      brep_.face_planes.push_back({PointId{index(2, points)}, PointId{index(3, points)}, PointId{index(4, points)}});
+      const std::size_t loops = count(5);
+      const std::size_t origins = count(6);
+      for (std::size_t o = 0; o < origins; ++o) {
+        brep_.origins.push_back({index(7 + 2 * o, 0xFFFFFFFFU), index(8 + 2 * o, 0xFFFFFFFFU)});
+      }
+      brep_.face_first_origin.push_back(static_cast<std::uint32_t>(brep_.origins.size()));
+      for (std::size_t l = 0; l < loops; ++l) {
+        expect("loop", 4);
+        for (std::size_t i = 1; i < lines_.words().size(); ++i) brep_.loop_vertices.push_back(PointId{index(i, points)});
+        brep_.loop_begin.push_back(static_cast<std::uint32_t>(brep_.loop_vertices.size()));
+      }
+      brep_.face_first_loop.push_back(static_cast<std::uint32_t>(brep_.loop_begin.size() - 1));
+    }
+    expect("end", 1);
+  }
+
+  std::size_t size_;
+  io::TextLines lines_;
+  Brep brep_;
+};
+
+}  // namespace
+
+void write_exact_text(std::ostream& out, const Brep& b) {
+  out << "quoin-solid 1\nunbounded " << (b.is_unbounded ? "yes" : "no") << "\ninputs " << b.leaf_names.size() << "\n";
+  for (const std::string& name : b.leaf_names) out << "input " << name << "\n";
+  out << "components " << b.component_count << "\nshells " << b.shells.size() << "\n";
+  for (const Shell& shell : b.shells) out << "shell " << (shell.is_void ? "void" : "outer") << "\n";
+  out << "points " << b.points.point_count() << "\n";
+  for (std::size_t i = 0; i < b.points.point_count(); ++i) {
+    const RationalPoint3 p = b.points.exact(PointId{i});
+    out << p.x.to_string() << " " << p.y.to_string() << " " << p.z.to_string() << "\n";
+  }
+  out << "faces " << b.face_count() << "\n";
+  for (std::size_t f = 0; f < b.face_count(); ++f) {
+    const auto& plane = b.face_planes[f];
+    out << "face " << b.face_shells[f] << " " << plane[0].value << " " << plane[1].value << " " << plane[2].value << " "
+        << b.face_first_loop[f + 1] - b.face_first_loop[f] << " " << b.face_first_origin[f + 1] - b.face_first_origin[f];
+    for (std::uint32_t o = b.face_first_origin[f]; o < b.face_first_origin[f + 1]; ++o) {
+      out << " " << b.origins[o].leaf << " " << b.origins[o].face;
+    }
+    out << "\n";
+    for (std::uint32_t l = b.face_first_loop[f]; l < b.face_first_loop[f + 1]; ++l) {
+      out << "loop";
+      for (const PointId p : b.loop(l)) out << " " << p.value;
+      out << "\n";
+    }
+  }
+  out << "end\n";
+}
+
+void write_exact_text(const std::filesystem::path& path, const Brep& boundary) {
+  std::ofstream out(path, std::ios::binary);
+  if (!out) throw FileError(path.string() + ": cannot be written");
+  write_exact_text(out, boundary);
+  out.close();
+  if (!out) throw FileError(path.string() + ": writing failed");
+}
+
+Brep read_exact_text(std::string_view text, const std::string& name) { return ExactReader(text, name).run(); }
+
+}  // namespace quoin
