@@ -90,7 +90,7 @@ void find_inverted_components(const std::shared_ptr<const Leaf>& leaf, std::size
     if (leaf->twins[h] != Leaf::no_twin && leaf->twins[h] > h) components.unite(h / 3, leaf->twins[h] / 3);
   }
   const std::shared_ptr<const Leaf> leaves[] = {leaf};
-  const overlay::Scene scene = overlay::make_scene(leaves, context);
+  const overlay::Scene scene = overlay::make_unpaired_scene(leaves);
   const overlay::Subdivision nothing_cut;
   const overlay::Sheets sheets{&scene, nullptr, &nothing_cut};
   for (std::uint32_t t = 0; t < leaf->tiles.size(); ++t) {

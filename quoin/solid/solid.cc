@@ -26,10 +26,15 @@ Solid evaluate_all(Expression (*combine)(std::span<const Expression>), std::span
 
 Solid::Solid() : boundary_(std::make_shared<const Brep>()) {}
 
-Solid Solid::from_leaf(std::shared_ptr<const Leaf> leaf, const Context& context) {
+Solid Solid::of_leaf(std::shared_ptr<const Leaf> leaf) {
   Solid result;
   result.leaves_.push_back(std::move(leaf));
   result.expression_ = Expression::leaf(0);
+  return result;
+}
+
+Solid Solid::from_leaf(std::shared_ptr<const Leaf> leaf, const Context& context) {
+  Solid result = of_leaf(std::move(leaf));
   result.boundary_ = std::make_shared<const Brep>(overlay_boundary(result.leaves_, result.expression_, context));
   return result;
 }

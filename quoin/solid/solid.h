@@ -25,6 +25,9 @@ class Solid {
   /// The points of positive winding number with respect to the leaf's tiles.
   static Solid from_leaf(std::shared_ptr<const Leaf> leaf, const Context& context);
 
+  /// An operand that is not evaluated by itself: its boundary is made with that of the expression it goes into, and is empty until then.
+  static Solid of_leaf(std::shared_ptr<const Leaf> leaf);
+
   /// Evaluates the expression over `solids` (leaf i of the expression is solids[i]) as one arrangement.
   ///
   /// Regularized; coincident, touching, nested and identical operands are ordinary. O((n + k) log n) for n tiles and k
@@ -32,6 +35,7 @@ class Solid {
   static Solid evaluate(const Expression& expression, std::span<const Solid> solids, const Context& context);
 
   const Brep& boundary() const { return *boundary_; }
+  std::shared_ptr<const Brep> shared_boundary() const { return boundary_; }
   bool is_empty() const { return boundary_->face_count() == 0 && !boundary_->is_unbounded; }
   std::span<const std::shared_ptr<const Leaf>> leaves() const { return leaves_; }
 

@@ -167,7 +167,7 @@ Scene::Halfedge Scene::twin(std::uint32_t tile, std::uint32_t edge, std::uint32_
   return {first_tile[leaf] + opposite / 3, opposite % 3};
 }
 
-Scene make_scene(std::span<const std::shared_ptr<const Leaf>> leaves, const Context& context) {
+Scene make_unpaired_scene(std::span<const std::shared_ptr<const Leaf>> leaves) {
   Scene scene;
   scene.leaves = leaves;
   number_leaves(scene);
@@ -176,6 +176,11 @@ Scene make_scene(std::span<const std::shared_ptr<const Leaf>> leaves, const Cont
   scene.merged.resize(scene.first_vertex.back());
   std::iota(scene.merged.begin(), scene.merged.end(), 0U);
   scene.shared.assign(scene.first_vertex.back(), false);
+  return scene;
+}
+
+Scene make_scene(std::span<const std::shared_ptr<const Leaf>> leaves, const Context& context) {
+  Scene scene = make_unpaired_scene(leaves);
   context.progress("pairs", 0);
   find_pairs(scene, context);
   add_facets_without_twin(scene);

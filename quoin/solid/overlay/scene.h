@@ -60,4 +60,7 @@ struct Scene {
 /// Numbers the leaves, finds candidate pairs and merges equal vertices of facets. O(n log n + pairs).
 Scene make_scene(std::span<const std::shared_ptr<const Leaf>> leaves, const Context& context);
 
+/// The numbering alone, without facets: enough to count windings.
+Scene make_unpaired_scene(std::span<const std::shared_ptr<const Leaf>> leaves);
+
 }  // namespace quoin::overlay

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quoin/cli/commands.h"
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <iostream>
+
+#include "quoin/base/error.h"
+#include "quoin/cli/expression_parser.h"
+#include "quoin/cli/inputs.h"
+#include "quoin/cli/outputs.h"
+#include "quoin/cli/summary.h"
+#include "quoin/io/exact_text.h"
+#include "quoin/solid/check.h"
+#include "quoin/solid/repair.h"
+#include "quoin/solid/solid.h"
+
+namespace quoin::cli {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Json = nlohmann::ordered_json;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+const char* name_of(Rounding rounding, bool accepted) {
+  if (rounding == Rounding::exact) return "exact";
+  return rounding == Rounding::certified ? "certified" : accepted ? "accepted" : "failed";
+}
+
+bool is_exact_text(const std::string& name) { return std::filesystem::path(name).extension() == ".qsolid"; }
+
+void print_warnings(const std::vector<std::string>& warnings, const Options& options) {
+  if (options.quiet) return;
+  for (const std::string& w : warnings) std::cerr << "quoin: warning: " << w << "\n";
+}
+
+// The report of a command that made a solid, on standard output, or on standard error where the solid itself goes there.
+int report(const Brep& boundary, const OutputReport& output, const std::vector<std::string>& warnings, double seconds,
+           const Options& options, const Context& context) {
+  const bool uses_stdout = std::find(options.outputs.begin(), options.outputs.end(), "-") != options.outputs.end();
+  std::ostream& out = uses_stdout ? std::cerr : std::cout;
+  Json json;
+  json["seconds"] = seconds;
+  json["threads"] = context.threads();
+  json["rounding"] = name_of(output.rounding, options.accept_rounding);
+  json["max_displacement"] = output.max_displacement;
+  json["rounding_rounds"] = output.rounds;
+  json["outputs"] = options.outputs;
+  if (options.json) {
+    json["warnings"] = warnings;
+    json["result"] = summarize(boundary, context);
+    out << json.dump(2) << "\n";
+  } else if (!options.quiet) {
+    out << as_text(json);
+    if (options.verbose || options.outputs.empty()) out << as_text(summarize(boundary, context));
+  }
+  print_warnings(warnings, options);
+  for (const std::string& note : output.notes) std::cerr << "quoin: " << note << "\n";
+  if (output.written) return 0;
+  std::cerr << "quoin: not written: --accept-rounding takes the file as it is, .qsolid holds the exact solid\n";
+  return 1;
+}
+
+int finish(const Brep& boundary, const std::string& title, std::vector<std::string> warnings, Clock::time_point start,
+           const Options& options, const Context& context) {
+  if (boundary.face_count() == 0) {
+    warnings.push_back(boundary.is_unbounded ? "the result is all of space" : "the result is empty");
+  }
+  const OutputReport output = write_outputs(boundary, title, options, context);
+  return report(boundary, output, warnings, seconds_since(start), options, context);
+}
+
+std::string stem(const std::string& name) { return name == "-" ? "input" : std::filesystem::path(name).stem().string(); }
+
+// Exact text or a mesh as a boundary.
+std::shared_ptr<const Brep> load_boundary(const std::string& name, const Options& options, std::vector<std::string>& warnings, const Context& context) {
+  if (is_exact_text(name)) return std::make_shared<const Brep>(read_exact_text(read_file(name), name));
+  return Solid::from_leaf(load_leaf(name, options, warnings, context), context).shared_boundary();
+}
+
+Solid load_operand(const std::string& name, const Options& options, std::vector<std::string>& warnings, const Context& context) {
+  if (is_exact_text(name)) throw InputError(name + ": exact text is not read as an operand yet; use the meshes it was made from");
+  return Solid::of_leaf(load_leaf(name, options, warnings, context));
+}
+
+}  // namespace
+
+int run_boolean(const std::string& operation, const Options& options, const Context& context) {
+  const Clock::time_point start = Clock::now();
+  std::vector<std::string> warnings;
+  std::vector<Solid> solids;
+  for (const std::string& name : options.inputs) solids.push_back(load_operand(name, options, warnings, context));
+  Solid result;
+  if (operation == "union") {
+    result = unite(solids, context);
+  } else if (operation == "intersection") {
+    result = intersect(solids, context);
+  } else if (operation == "xor") {
+    result = symmetric_difference(solids, context);
+  } else {
+    result = subtract(solids[0], std::span(solids).subspan(1), context);
+  }
+  return finish(result.boundary(), operation, std::move(warnings), start, options, context);
+}
+
+int run_csg(const Options& options, const Context& context) {
+  const Clock::time_point start = Clock::now();
+  std::vector<std::string> warnings;
+  std::vector<std::string> names;
+  std::vector<Solid> solids;
+  for (const std::string& input : options.inputs) {
+    const std::size_t equals = input.find('=');
+    if (equals == std::string::npos || equals == 0) throw InputError("'" + input + "': operands of csg are given as NAME=FILE");
+    names.push_back(input.substr(0, equals));
+  }
+  const Expression expression = parse_expression(options.expression, names);
+  for (const std::string& input : options.inputs) {
+    solids.push_back(load_operand(input.substr(input.find('=') + 1), options, warnings, context));
+  }
+  const Solid result = Solid::evaluate(expression, solids, context);
+  return finish(result.boundary(), options.expression, std::move(warnings), start, options, context);
+}
+
+int run_info(const Options& options, const Context& context) {
+  Json all = Json::array();
+  for (const std::string& name : options.inputs) {
+    std::vector<std::string> warnings;
+    Json one;
+    one["file"] = name;
+    one.update(summarize(*load_boundary(name, options, warnings, context), context));
+    if (options.json) {
+      one["warnings"] = warnings;
+      all.push_back(one);
+    } else {
+      print_warnings(warnings, options);
+      std::cout << as_text(one);
+    }
+  }
+  if (options.json) std::cout << (all.size() == 1 ? all[0] : all).dump(2) << "\n";
+  return 0;
+}
+
+int run_check(const Options& options, const Context& context) {
+  bool all_valid = true;
+  Json all = Json::array();
+  for (const std::string& name : options.inputs) {
+    std::vector<std::string> findings;
+    bool valid = false;
+    if (is_exact_text(name)) {
+      findings = check_boundary(read_exact_text(read_file(name), name), 20, context);
+      valid = findings.empty();
+    } else {
+      std::vector<std::string> warnings;
+      const LeafResult leaf = make_leaf(load_mesh(name, options, warnings, context), {}, context);
+      print_warnings(warnings, options);
+      findings = describe(leaf.diagnosis);
+      valid = leaf.leaf != nullptr && leaf.diagnosis.crossing_faces.count == 0 && leaf.diagnosis.inverted_components.count == 0;
+    }
+    all_valid = all_valid && valid;
+    all.push_back({{"file", name}, {"valid", valid}, {"findings", findings}});
+    if (options.json) continue;
+    std::cout << name << ": " << (valid ? "a valid solid" : "not a valid solid") << "\n";
+    for (const std::string& finding : findings) std::cout << "  " << finding << "\n";
+  }
+  if (options.json) std::cout << (all.size() == 1 ? all[0] : all).dump(2) << "\n";
+  return all_valid ? 0 : 1;
+}
+
+int run_repair(const Options& options, const Context& context) {
+  const Clock::time_point start = Clock::now();
+  std::vector<std::string> warnings;
+  const Mesh mesh = load_mesh(options.inputs[0], options, warnings, context);
+  const RepairResult repaired = repair_mesh(mesh, context);
+  for (const std::string& change : repaired.changes) warnings.push_back("repaired: " + change);
+  const LeafResult leaf = make_leaf(repaired.mesh, {}, context);
+  if (!leaf.leaf) {
+    std::string message = options.inputs[0] + ": cannot be repaired to a solid";
+    for (const std::string& line : describe(leaf.diagnosis)) message += "\n  " + line;
+    throw InputError(message);
+  }
+  if (leaf.diagnosis.crossing_faces.count != 0) {
+    warnings.push_back("repaired: " + std::to_string(leaf.diagnosis.crossing_faces.count) +
+                       " pairs of crossing faces, by the points of positive winding number");
+  }
+  const Solid result = Solid::from_leaf(leaf.leaf, context);
+  return finish(result.boundary(), stem(options.inputs[0]), std::move(warnings), start, options, context);
+}
+
+int run_convert(const Options& options, const Context& context) {
+  const Clock::time_point start = Clock::now();
+  std::vector<std::string> warnings;
+  const std::shared_ptr<const Brep> boundary = load_boundary(options.inputs[0], options, warnings, context);
+  return finish(*boundary, stem(options.inputs[0]), std::move(warnings), start, options, context);
+}
+
+int run_view(const Options& options, const Context& context) {
+  Options with_page = options;
+  if (with_page.outputs.empty()) with_page.outputs.push_back(stem(options.inputs[0]) + ".html");
+  const Clock::time_point start = Clock::now();
+  std::vector<std::string> warnings;
+  const std::shared_ptr<const Brep> boundary = load_boundary(options.inputs[0], options, warnings, context);
+  const int code = finish(*boundary, stem(options.inputs[0]), std::move(warnings), start, with_page, context);
+  if (!options.quiet && !options.json) std::cout << "open " << with_page.outputs[0] << " in a browser\n";
+  return code;
+}
+
+}  // namespace quoin::cli

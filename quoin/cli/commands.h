@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "quoin/base/context.h"
+#include "quoin/cli/options.h"
+
+namespace quoin::cli {
+
+/// Each command prints its report and returns the exit code: 0 done, 1 refused with a reason. The others are made from exceptions.
+int run_boolean(const std::string& operation, const Options& options, const Context& context);
+int run_csg(const Options& options, const Context& context);
+int run_info(const Options& options, const Context& context);
+int run_check(const Options& options, const Context& context);
+int run_repair(const Options& options, const Context& context);
+int run_convert(const Options& options, const Context& context);
+int run_view(const Options& options, const Context& context);
+
+}  // namespace quoin::cli
