@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -80,7 +81,11 @@ template <class Numbers>
 class ExplicitPoints {
  public:
   using Coordinate = typename Numbers::Coordinate;
-  ExplicitPoints(const Point3* points, int lo);
+  ExplicitPoints(const Point3* points, int lo)
+      : points_(points),
+        lo_(lo),
+        scale_first_(std::ldexp(1.0, -lo / 2)),
+        scale_second_(std::ldexp(1.0, -lo - (-lo / 2))) {}
   void set_array(const Point3* points) { points_ = points; }
   int lo() const { return lo_; }
   Coordinate coordinate(PointId point, unsigned axis) const;

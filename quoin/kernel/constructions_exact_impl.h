@@ -76,13 +76,6 @@ inline Integer shifted(const Decoded& d, int lo) {
 }
 
 template <class N>
-ExplicitPoints<N>::ExplicitPoints(const Point3* points, int lo)
-    : points_(points),
-      lo_(lo),
-      scale_first_(std::ldexp(1.0, -lo / 2)),
-      scale_second_(std::ldexp(1.0, -lo - (-lo / 2))) {}
-
-template <class N>
 typename N::Coordinate ExplicitPoints<N>::coordinate(PointId point, unsigned axis) const {
   const double x = points_[point.index()][axis];
   if constexpr (std::is_same_v<Coordinate, Integer>) {

@@ -112,14 +112,14 @@ inline int turn(const Point3& a, const Point3& b, const Point3& c, unsigned i, u
   return cross(b[i] - a[i], b[j] - a[j], c[i] - a[i], c[j] - a[j]);
 }
 
-/// The same with c rounded: its differences are off by u |c_i| more, their products with (b - a)_j by u |c_i (b -
-/// a)_j|.
+/// The same with c rounded, off by u |c_i| or 2^-1075 where that is more, so by less than u (|c_i| + 2^-1000).
 inline int turn_rounded_last(const Point3& a, const Point3& b, const Point3& c, unsigned i, unsigned j) {
   const double bi = b[i] - a[i];
   const double bj = b[j] - a[j];
   const double left = bi * (c[j] - a[j]);
   const double right = bj * (c[i] - a[i]);
-  const double sizes = std::fabs(left) + std::fabs(right) + std::fabs(bi * c[j]) + std::fabs(bj * c[i]);
+  const double from_c = std::fabs(bi) * (std::fabs(c[j]) + 0x1p-1000) + std::fabs(bj) * (std::fabs(c[i]) + 0x1p-1000);
+  const double sizes = std::fabs(left) + std::fabs(right) + from_c;
   return certain_sign(left - right, 4.45e-16 * sizes + underflow_slack);
 }
 

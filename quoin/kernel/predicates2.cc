@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Filter of orientation: with u = 2^-53, the computed differences carry a relative error u, each product then (1+u)^3 - 1 in all, and
-// the final difference another u, so |error| <= (4 u + O(u^2)) (|left| + |right|) for the computed products; 4.5e-16 > 4 u (1 + 4 u).
-// The bound holds while neither product underflows: it is used only for products of at least 2^-900 or of exactly zero factors.
+// Filter of orientation: with u = 2^-53, the computed differences carry a relative error u, each product then (1+u)^3 -
+// 1 in all, and the final difference another u, so |error| <= (4 u + O(u^2)) (|left| + |right|) for the computed
+// products; 4.5e-16 > 4 u (1 + 4 u). The bound holds while neither product underflows: it is used only for products of
+// at least 2^-900 or of exactly zero factors.
 #include "quoin/kernel/predicates2.h"
 
 #include <cmath>

@@ -27,7 +27,9 @@ float round_up(double x) {
   return static_cast<double>(f) < x ? std::nextafterf(f, infinity) : f;
 }
 
-Box empty_box() { return {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}}; }
+Box empty_box() {
+  return {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
+}
 
 void extend(Box& box, const Box& other) {
   for (std::size_t k = 0; k < 3; ++k) {
@@ -135,7 +137,8 @@ std::uint32_t BoxTree::build(std::span<const std::uint32_t> keys, std::uint32_t 
   if (difference != 0) {
     const std::uint32_t bit = std::bit_floor(difference);
     const auto first = keys.begin() + begin;
-    const auto split = std::partition_point(first, keys.begin() + end, [&](std::uint32_t key) { return (key & bit) == 0; });
+    const auto split =
+        std::partition_point(first, keys.begin() + end, [&](std::uint32_t key) { return (key & bit) == 0; });
     middle = begin + static_cast<std::uint32_t>(split - first);
   }
   const std::uint32_t left = build(keys, begin, middle);
@@ -165,7 +168,8 @@ void BoxTree::expand(const BoxTree& a, const BoxTree& b, bool is_self, NodePair 
     return;
   }
   const auto size = [](const Node& n) {
-    return n.count != 0 ? -1.0F : (n.box.hi[0] - n.box.lo[0]) + (n.box.hi[1] - n.box.lo[1]) + (n.box.hi[2] - n.box.lo[2]);
+    return n.count != 0 ? -1.0F
+                        : (n.box.hi[0] - n.box.lo[0]) + (n.box.hi[1] - n.box.lo[1]) + (n.box.hi[2] - n.box.lo[2]);
   };
   if (y.count != 0 || (x.count == 0 && size(x) >= size(y))) {
     push(x.second_or_first, pair.b);
@@ -191,7 +195,8 @@ void BoxTree::report(const BoxTree& a, const BoxTree& b, bool is_self, NodePair 
   }
 }
 
-// Opens node pairs breadth first into tasks, whose number depends on the trees alone, and lets each task descend depth first.
+// Opens node pairs breadth first into tasks, whose number depends on the trees alone, and lets each task descend depth
+// first.
 std::vector<TilePair> BoxTree::descend(const BoxTree& a, const BoxTree& b, bool is_self, const Context& context) {
   std::vector<TilePair> result;
   if (a.nodes_.empty() || b.nodes_.empty() || !meet(a.nodes_[0].box, b.nodes_[0].box)) return result;
@@ -235,7 +240,9 @@ std::vector<TilePair> BoxTree::pairs(const BoxTree& a, const BoxTree& b, const C
   return descend(a, b, false, context);
 }
 
-std::vector<TilePair> BoxTree::self_pairs(const Context& context) const { return descend(*this, *this, true, context); }
+std::vector<TilePair> BoxTree::self_pairs(const Context& context) const {
+  return descend(*this, *this, true, context);
+}
 
 template <class Accept>
 void BoxTree::collect(const Accept& accept, std::vector<std::uint32_t>& out) const {
@@ -271,7 +278,8 @@ void BoxTree::tiles_on_line(unsigned axis, std::array<double, 2> lo, std::array<
 }
 
 void BoxTree::tiles_in_box(const Point3& lo, const Point3& hi, std::vector<std::uint32_t>& out) const {
-  const Box query{{round_down(lo.x), round_down(lo.y), round_down(lo.z)}, {round_up(hi.x), round_up(hi.y), round_up(hi.z)}};
+  const Box query{{round_down(lo.x), round_down(lo.y), round_down(lo.z)},
+                  {round_up(hi.x), round_up(hi.y), round_up(hi.z)}};
   collect([&](const Box& box) { return meet(box, query); }, out);
 }
 

@@ -23,8 +23,8 @@ struct TilePair {
 
 /// Bounding boxes of the tiles of one mesh in a tree, conservative single-precision boxes rounded outward.
 ///
-/// Tiles in Morton order, split where the highest bit of their keys changes (Karras 2012). Every query reports a superset of the
-/// tiles whose closed exact boxes meet, in an order that depends on the input alone.
+/// Tiles in Morton order, split where the highest bit of their keys changes (Karras 2012). Every query reports a
+/// superset of the tiles whose closed exact boxes meet, in an order that depends on the input alone.
 class BoxTree {
  public:
   struct Box {
@@ -44,14 +44,17 @@ class BoxTree {
   static std::vector<TilePair> pairs(const BoxTree& a, const BoxTree& b, const Context& context);
   /// All pairs a < b of tiles of this tree whose boxes meet, also those that share vertices.
   std::vector<TilePair> self_pairs(const Context& context) const;
-  /// Appends the tiles whose box meets the lines parallel to the axis through the box [lo, hi] of the other two coordinates
+  /// Appends the tiles whose box meets the lines parallel to the axis through the box [lo, hi] of the other two
+  /// coordinates
   /// ((axis+1)%3, (axis+2)%3).
-  void tiles_on_line(unsigned axis, std::array<double, 2> lo, std::array<double, 2> hi, std::vector<std::uint32_t>& out) const;
+  void tiles_on_line(unsigned axis, std::array<double, 2> lo, std::array<double, 2> hi,
+                     std::vector<std::uint32_t>& out) const;
   /// Appends the tiles whose box meets the box.
   void tiles_in_box(const Point3& lo, const Point3& hi, std::vector<std::uint32_t>& out) const;
 
  private:
-  // Nodes in depth-first order: the first child follows its parent, the second is named. A leaf has count > 0 tiles from `first` on.
+  // Nodes in depth-first order: the first child follows its parent, the second is named. A leaf has count > 0 tiles
+  // from `first` on.
   struct Node {
     Box box;
     std::uint32_t second_or_first;

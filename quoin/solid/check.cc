@@ -8,13 +8,17 @@ namespace quoin {
 
 namespace {
 
-RationalPoint3 minus(const RationalPoint3& a, const RationalPoint3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+RationalPoint3 minus(const RationalPoint3& a, const RationalPoint3& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
 
 RationalPoint3 cross(const RationalPoint3& a, const RationalPoint3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-Rational dot(const RationalPoint3& a, const RationalPoint3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+Rational dot(const RationalPoint3& a, const RationalPoint3& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
 
 class BoundaryChecker {
  public:
@@ -47,7 +51,8 @@ class BoundaryChecker {
         if (p.index() >= b_.points.explicit_count()) say("a plane names a point that is not explicit");
       }
     }
-    if (b_.face_first_loop.size() != b_.face_count() + 1 || b_.face_shells.size() != b_.face_count()) say("array lengths disagree");
+    if (b_.face_first_loop.size() != b_.face_count() + 1 || b_.face_shells.size() != b_.face_count())
+      say("array lengths disagree");
     for (const std::uint32_t shell : b_.face_shells) {
       if (shell >= b_.shells.size()) say("a face names a shell that is not there");
     }
@@ -57,18 +62,23 @@ class BoundaryChecker {
   void check_face(std::uint32_t f) {
     const auto& plane = b_.face_planes[f];
     const RationalPoint3 origin = b_.points.exact(plane[0]);
-    const RationalPoint3 normal = cross(minus(b_.points.exact(plane[1]), origin), minus(b_.points.exact(plane[2]), origin));
+    const RationalPoint3 normal =
+        cross(minus(b_.points.exact(plane[1]), origin), minus(b_.points.exact(plane[2]), origin));
     for (std::uint32_t l = b_.face_first_loop[f]; l < b_.face_first_loop[f + 1]; ++l) {
       const auto loop = b_.loop(l);
-      if (loop.size() < 3) say("face " + std::to_string(f) + " has a loop of " + std::to_string(loop.size()) + " vertices");
+      if (loop.size() < 3)
+        say("face " + std::to_string(f) + " has a loop of " + std::to_string(loop.size()) + " vertices");
       for (std::size_t i = 0; i < loop.size(); ++i) {
         const RationalPoint3 p = b_.points.exact(loop[i]);
-        if (dot(normal, minus(p, origin)).sign() != Sign::zero) say("face " + std::to_string(f) + ": vertex " + std::to_string(loop[i].value) + " is off its plane");
-        if (loop[i] == loop[i + 1 == loop.size() ? 0 : i + 1]) say("face " + std::to_string(f) + " has an edge of length zero");
+        if (dot(normal, minus(p, origin)).sign() != Sign::zero)
+          say("face " + std::to_string(f) + ": vertex " + std::to_string(loop[i].value) + " is off its plane");
+        if (loop[i] == loop[i + 1 == loop.size() ? 0 : i + 1])
+          say("face " + std::to_string(f) + " has an edge of length zero");
       }
     }
     const RationalPoint3 area = area_vector(b_, f);
-    if (dot(normal, area).sign() != Sign::positive) say("face " + std::to_string(f) + " does not turn counterclockwise about its normal");
+    if (dot(normal, area).sign() != Sign::positive)
+      say("face " + std::to_string(f) + " does not turn counterclockwise about its normal");
   }
 
   // V - E + F - (L - F) = 2 (S - G) for manifold boundaries, with a genus G >= 0.
@@ -77,7 +87,8 @@ class BoundaryChecker {
     const auto left = static_cast<long long>(counts.vertices) - static_cast<long long>(counts.edges) +
                       2 * static_cast<long long>(counts.faces) - static_cast<long long>(counts.loops);
     if (left % 2 != 0 || left > 2 * static_cast<long long>(b_.shells.size())) {
-      say("Euler-Poincare: V - E + F - (L - F) = " + std::to_string(left) + " for " + std::to_string(b_.shells.size()) + " shells");
+      say("Euler-Poincare: V - E + F - (L - F) = " + std::to_string(left) + " for " + std::to_string(b_.shells.size()) +
+          " shells");
     }
   }
 

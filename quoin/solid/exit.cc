@@ -20,7 +20,7 @@ struct Positions {
   std::vector<Point3> points;  // per point of the boundary
   std::vector<bool> moved;
   std::size_t moved_count = 0;
-  double displacement = 0;     // largest move of a coordinate
+  double displacement = 0;  // largest move of a coordinate
 };
 
 double nearest(double value, Precision precision) {
@@ -47,7 +47,8 @@ Positions round_points(const Brep& boundary, Precision precision) {
       move = std::max(move, std::fabs(result.points[i][k] - near[k]));
     }
     if (!table.is_exact(id)) {
-      for (std::size_t k = 0; k < 3; ++k) move = std::max(move, std::fabs(result.points[i][k] - near[k]) + spacing(near[k]) / 2);
+      for (std::size_t k = 0; k < 3; ++k)
+        move = std::max(move, std::fabs(result.points[i][k] - near[k]) + spacing(near[k]) / 2);
     }
     if (move > 0) {
       result.moved[i] = true;
@@ -98,7 +99,8 @@ struct PointLess {
   bool operator()(const Point3& a, const Point3& b) const { return lexicographically_less(a, b); }
 };
 
-// One round of snap rounding: the vertices of crossing triangles, and all others in their cells, go to the cells' centres.
+// One round of snap rounding: the vertices of crossing triangles, and all others in their cells, go to the cells'
+// centres.
 double snap_crossing(std::vector<Point3>& points, std::span<const Tile> triangles, std::span<const TilePair> crossings,
                      const SnapGrid& grid) {
   std::set<Point3, PointLess> cells;

@@ -38,7 +38,8 @@ class CrossingFinder {
 
   // Moved against moved, each pair once, and against the others.
   void find_pairs() {
-    for (const TilePair& pair : tree_.self_pairs(context_)) pairs_.push_back({moved_triangles_[pair.a], moved_triangles_[pair.b]});
+    for (const TilePair& pair : tree_.self_pairs(context_))
+      pairs_.push_back({moved_triangles_[pair.a], moved_triangles_[pair.b]});
     constexpr std::size_t grain = 8192;
     std::vector<std::vector<TilePair>> found(chunk_count(triangles_.size(), grain));
     for_each_chunk(context_, triangles_.size(), grain, [&](const Chunk& chunk) {
@@ -69,7 +70,8 @@ class CrossingFinder {
   void keep_crossing() {
     std::vector<std::uint32_t> used;
     for (const TilePair& pair : pairs_) {
-      for (const std::uint32_t t : {pair.a, pair.b}) used.insert(used.end(), triangles_[t].begin(), triangles_[t].end());
+      for (const std::uint32_t t : {pair.a, pair.b})
+        used.insert(used.end(), triangles_[t].begin(), triangles_[t].end());
     }
     for (const Tile& t : tiles_) used.insert(used.end(), t.begin(), t.end());
     std::sort(used.begin(), used.end());
@@ -83,7 +85,8 @@ class CrossingFinder {
     std::vector<std::vector<TilePair>> found(chunk_count(pairs_.size(), grain));
     for_each_chunk(context_, pairs_.size(), grain, [&](const Chunk& chunk) {
       for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-        if (cross(pairs_[i])) found[chunk.index].push_back({std::min(pairs_[i].a, pairs_[i].b), std::max(pairs_[i].a, pairs_[i].b)});
+        if (cross(pairs_[i]))
+          found[chunk.index].push_back({std::min(pairs_[i].a, pairs_[i].b), std::max(pairs_[i].a, pairs_[i].b)});
       }
     });
     pairs_.clear();

@@ -11,10 +11,11 @@
 
 namespace quoin {
 
-/// All pairs of triangles, of which at least one has moved, that meet outside their shared vertices and edges, ascending.
+/// All pairs of triangles, of which at least one has moved, that meet outside their shared vertices and edges,
+/// ascending.
 ///
-/// Two vertices on one spot, a triangle without area and two triangles with the same corners count as crossings. `moved` is per vertex.
-/// Exact; the pairs in which nothing moved are taken to be apart. O(n log n + pairs).
+/// Two vertices on one spot, a triangle without area and two triangles with the same corners count as crossings.
+/// `moved` is per vertex. Exact; the pairs in which nothing moved are taken to be apart. O(n log n + pairs).
 std::vector<TilePair> find_crossings(std::span<const Point3> vertices, std::span<const Tile> triangles,
                                      const std::vector<bool>& moved, const Context& context);
 

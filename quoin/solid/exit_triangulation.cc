@@ -44,7 +44,8 @@ class FaceTriangulator {
   void run(std::uint32_t face) {
     const std::uint32_t first_loop = boundary_.face_first_loop[face];
     const std::uint32_t end_loop = boundary_.face_first_loop[face + 1];
-    if (end_loop - first_loop == 1 && boundary_.loop(first_loop).size() == 3 && add_triangle(face, boundary_.loop(first_loop))) {
+    if (end_loop - first_loop == 1 && boundary_.loop(first_loop).size() == 3 &&
+        add_triangle(face, boundary_.loop(first_loop))) {
       return;
     }
     gather(face, first_loop, end_loop);

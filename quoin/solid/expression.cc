@@ -25,7 +25,8 @@ Expression Expression::combine(Kind kind, std::span<const Expression> operands) 
     for (const std::uint32_t child : operand.children_) result.children_.push_back(child + node_shift);
     roots.push_back(static_cast<std::uint32_t>(result.nodes_.size() - 1));
   }
-  const bool some_empty = std::any_of(operands.begin(), operands.end(), [](const Expression& e) { return e.is_empty(); });
+  const bool some_empty =
+      std::any_of(operands.begin(), operands.end(), [](const Expression& e) { return e.is_empty(); });
   if (some_empty) {  // the empty set is a union of nothing
     result.nodes_.push_back({Kind::any, 0, static_cast<std::uint32_t>(result.children_.size()), 0});
     roots.push_back(static_cast<std::uint32_t>(result.nodes_.size() - 1));
@@ -36,10 +37,18 @@ Expression Expression::combine(Kind kind, std::span<const Expression> operands) 
   return result;
 }
 
-Expression Expression::unite(std::span<const Expression> operands) { return combine(Kind::any, operands); }
-Expression Expression::intersect(std::span<const Expression> operands) { return combine(Kind::every, operands); }
-Expression Expression::exclusive(std::span<const Expression> operands) { return combine(Kind::odd, operands); }
-Expression Expression::complement(const Expression& operand) { return combine(Kind::complement, {&operand, 1}); }
+Expression Expression::unite(std::span<const Expression> operands) {
+  return combine(Kind::any, operands);
+}
+Expression Expression::intersect(std::span<const Expression> operands) {
+  return combine(Kind::every, operands);
+}
+Expression Expression::exclusive(std::span<const Expression> operands) {
+  return combine(Kind::odd, operands);
+}
+Expression Expression::complement(const Expression& operand) {
+  return combine(Kind::complement, {&operand, 1});
+}
 
 Expression Expression::subtract(const Expression& from, std::span<const Expression> tools) {
   if (tools.empty()) return from;

@@ -13,11 +13,11 @@ namespace quoin {
 class Expression {
  public:
   enum class Kind : std::uint8_t {
-    leaf,          ///< the set of leaf `leaf`
-    any,           ///< union: true when any child is
-    every,         ///< intersection: true when every child is
-    odd,           ///< symmetric difference: true when an odd number of children are
-    complement     ///< of its only child
+    leaf,       ///< the set of leaf `leaf`
+    any,        ///< union: true when any child is
+    every,      ///< intersection: true when every child is
+    odd,        ///< symmetric difference: true when an odd number of children are
+    complement  ///< of its only child
   };
   struct Node {
     Kind kind;

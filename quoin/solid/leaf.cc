@@ -24,7 +24,9 @@ bool note_not_finite(const Mesh& mesh, std::size_t max_listed, MeshDiagnosis& di
 // -0.0 becomes +0.0, so that equal points have equal bits.
 std::vector<Point3> plain_zeros(const std::vector<Point3>& points) {
   std::vector<Point3> result(points.size());
-  std::transform(points.begin(), points.end(), result.begin(), [](const Point3& p) { return Point3{p.x + 0.0, p.y + 0.0, p.z + 0.0}; });
+  std::transform(points.begin(), points.end(), result.begin(), [](const Point3& p) {
+    return Point3{p.x + 0.0, p.y + 0.0, p.z + 0.0};
+  });
   return result;
 }
 

@@ -35,42 +35,44 @@ struct FacePair {
 
 /// What stands between a mesh and a solid; faces, vertices and edges by their indices in the mesh.
 struct MeshDiagnosis {
-  Finding<std::uint32_t> not_finite;          ///< vertices with NaN or infinity (refused)
-  Finding<std::uint32_t> degenerate_faces;    ///< fewer than three distinct vertices, or all on one line
-  Finding<std::uint32_t> not_planar_faces;    ///< polygons that were triangulated because their vertices are not coplanar
-  Finding<std::uint32_t> not_simple_faces;    ///< polygons that cross or touch themselves
-  Finding<FacePair> duplicate_faces;          ///< same vertices, same orientation
-  Finding<MeshEdge> open_edges;               ///< used more often in one direction than in the other
-  Finding<MeshEdge> misoriented_edges;        ///< used twice in one direction and never in the other
-  Finding<MeshEdge> nonmanifold_edges;        ///< balanced, with more than two faces (legal)
-  Finding<FacePair> crossing_faces;           ///< meet outside their shared vertices and edges
-  Finding<std::uint32_t> inverted_components; ///< a face of each connected component whose winding is not that of a solid
+  Finding<std::uint32_t> not_finite;        ///< vertices with NaN or infinity (refused)
+  Finding<std::uint32_t> degenerate_faces;  ///< fewer than three distinct vertices, or all on one line
+  Finding<std::uint32_t> not_planar_faces;  ///< polygons that were triangulated because their vertices are not coplanar
+  Finding<std::uint32_t> not_simple_faces;  ///< polygons that cross or touch themselves
+  Finding<FacePair> duplicate_faces;        ///< same vertices, same orientation
+  Finding<MeshEdge> open_edges;             ///< used more often in one direction than in the other
+  Finding<MeshEdge> misoriented_edges;      ///< used twice in one direction and never in the other
+  Finding<MeshEdge> nonmanifold_edges;      ///< balanced, with more than two faces (legal)
+  Finding<FacePair> crossing_faces;         ///< meet outside their shared vertices and edges
+  Finding<std::uint32_t>
+      inverted_components;  ///< a face of each connected component whose winding is not that of a solid
 
   bool is_closed() const { return open_edges.count == 0 && misoriented_edges.count == 0; }
 };
 
 /// A closed triangle mesh ready to be an operand: immutable, shared by all solids made from it.
 ///
-/// Tiles are triangles with nonzero area; several tiles may stem from one mesh face (polygons are triangulated exactly).
+/// Tiles are triangles with nonzero area; several tiles may stem from one mesh face (polygons are triangulated
+/// exactly).
 struct Leaf {
   std::vector<Point3> vertices;
   std::vector<Tile> tiles;
   std::vector<std::uint32_t> tile_face;  ///< face of the mesh it stems from
-  /// Halfedge 3t+k runs from tiles[t][k] to tiles[t][(k+1)%3]. Its opposite one where exactly two tiles meet with opposite
-  /// directions, else `no_twin`.
+  /// Halfedge 3t+k runs from tiles[t][k] to tiles[t][(k+1)%3]. Its opposite one where exactly two tiles meet with
+  /// opposite directions, else `no_twin`.
   std::vector<std::uint32_t> twins;
-  std::vector<bool> flat;                ///< per halfedge: has a twin, and both tiles lie in one plane with one normal
+  std::vector<bool> flat;  ///< per halfedge: has a twin, and both tiles lie in one plane with one normal
   BoxTree tree;
-  bool crosses_itself = false;           ///< tiles meet outside shared vertices and edges (or that could not be excluded)
-  std::vector<Color> face_colors;        ///< empty, or per mesh face
+  bool crosses_itself = false;     ///< tiles meet outside shared vertices and edges (or that could not be excluded)
+  std::vector<Color> face_colors;  ///< empty, or per mesh face
   std::string name;
 
   static constexpr std::uint32_t no_twin = 0xFFFFFFFFU;
 };
 
 struct LeafOptions {
-  std::size_t max_listed = 100;    ///< elements listed per finding
-  bool find_crossings = true;      ///< settle `crosses_itself`; otherwise it is taken as true
+  std::size_t max_listed = 100;  ///< elements listed per finding
+  bool find_crossings = true;    ///< settle `crosses_itself`; otherwise it is taken as true
 };
 
 /// A leaf, or why there is none.
@@ -81,9 +83,9 @@ struct LeafResult {
 
 /// Turns a mesh into an operand and says everything that is wrong with it.
 ///
-/// Vertices are not welded (readers do that by exact equality). Exact; degenerate faces are dropped, and where one leaves
-/// a vertex on a longer edge of its neighbour (a sliver of zero area), the neighbour's edge is split there, so that the rest stays closed.
-/// O(n log n). @throws Cancelled through `context`.
+/// Vertices are not welded (readers do that by exact equality). Exact; degenerate faces are dropped, and where one
+/// leaves a vertex on a longer edge of its neighbour (a sliver of zero area), the neighbour's edge is split there, so
+/// that the rest stays closed. O(n log n). @throws Cancelled through `context`.
 LeafResult make_leaf(const Mesh& mesh, const LeafOptions& options, const Context& context);
 
 }  // namespace quoin

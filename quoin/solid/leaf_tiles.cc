@@ -23,7 +23,8 @@ bool are_collinear(const Constructions& points, PointId a, PointId b, PointId c)
 
 class TileMaker {
  public:
-  TileMaker(const Mesh& mesh, const Constructions& points, std::size_t max_listed, MeshDiagnosis& diagnosis, const Context& context)
+  TileMaker(const Mesh& mesh, const Constructions& points, std::size_t max_listed, MeshDiagnosis& diagnosis,
+            const Context& context)
       : mesh_(mesh), points_(points), max_listed_(max_listed), diagnosis_(diagnosis), context_(context) {}
 
   MeshTiles run() {
@@ -41,7 +42,8 @@ class TileMaker {
   void add_face(std::uint32_t face) {
     const auto corners = mesh_.face(face);
     for (const std::uint32_t v : corners) {
-      if (v >= mesh_.vertices.size()) throw InputError("face " + std::to_string(face) + ": vertex " + std::to_string(v) + " is not there");
+      if (v >= mesh_.vertices.size())
+        throw InputError("face " + std::to_string(face) + ": vertex " + std::to_string(v) + " is not there");
     }
     if (corners.size() == 3) {
       add_triangle(face, {corners[0], corners[1], corners[2]});
@@ -99,7 +101,8 @@ class TileMaker {
 
   bool is_planar() const {
     std::size_t third = 2;
-    while (third < loop_.size() && are_collinear(points_, PointId{loop_[0]}, PointId{loop_[1]}, PointId{loop_[third]})) ++third;
+    while (third < loop_.size() && are_collinear(points_, PointId{loop_[0]}, PointId{loop_[1]}, PointId{loop_[third]}))
+      ++third;
     if (third == loop_.size()) return true;
     return std::all_of(loop_.begin(), loop_.end(), [&](std::uint32_t v) {
       return points_.orientation(PointId{loop_[0]}, PointId{loop_[1]}, PointId{loop_[third]}, PointId{v}) == Sign::zero;
@@ -134,8 +137,8 @@ class TileMaker {
     std::uint32_t face;
   };
 
-  // A triangle a, b, c with b between a and c is dropped; the tile on the other side of its long edge is split at b instead, so that
-  // edges stay matched. That tile may be a sliver too; each step uses one up.
+  // A triangle a, b, c with b between a and c is dropped; the tile on the other side of its long edge is split at b
+  // instead, so that edges stay matched. That tile may be a sliver too; each step uses one up.
   void heal_slivers() {
     for (std::uint32_t t = 0; t < out_.tiles.size(); ++t) index_tile(t);
     for (std::size_t s = 0; s < slivers_.size(); ++s) sliver_alive_.push_back(true);

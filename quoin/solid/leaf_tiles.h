@@ -12,8 +12,8 @@ struct MeshTiles {
   std::vector<std::uint32_t> tile_face;
 };
 
-/// Cuts the faces of a mesh into triangles of nonzero area, exactly, and notes degenerate, skew and crossing faces. `points` holds the
-/// vertices of the mesh. @throws InputError  a face names a vertex that is not there
+/// Cuts the faces of a mesh into triangles of nonzero area, exactly, and notes degenerate, skew and crossing faces.
+/// `points` holds the vertices of the mesh. @throws InputError  a face names a vertex that is not there
 MeshTiles make_tiles(const Mesh& mesh, const Constructions& points, std::size_t max_listed, MeshDiagnosis& diagnosis,
                      const Context& context);
 

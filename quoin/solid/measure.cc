@@ -15,9 +15,13 @@ RationalPoint3 cross(const RationalPoint3& a, const RationalPoint3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-Rational dot(const RationalPoint3& a, const RationalPoint3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+Rational dot(const RationalPoint3& a, const RationalPoint3& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
 
-RationalPoint3 minus(const RationalPoint3& a, const RationalPoint3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+RationalPoint3 minus(const RationalPoint3& a, const RationalPoint3& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
 
 void add(RationalPoint3& sum, const RationalPoint3& p) {
   sum.x += p.x;
@@ -58,7 +62,8 @@ Rational cone_volume(const Brep& boundary, std::uint32_t face) {
 std::vector<Rational> cone_volumes(const Brep& boundary, const Context& context) {
   std::vector<Rational> terms(boundary.face_count());
   for_each_chunk(context, terms.size(), 256, [&](const Chunk& chunk) {
-    for (std::size_t f = chunk.begin; f < chunk.end; ++f) terms[f] = cone_volume(boundary, static_cast<std::uint32_t>(f));
+    for (std::size_t f = chunk.begin; f < chunk.end; ++f)
+      terms[f] = cone_volume(boundary, static_cast<std::uint32_t>(f));
   });
   return terms;
 }
@@ -110,7 +115,8 @@ double rounded_volume(const Brep& boundary, const Context& context) {
   // Each term is below its exact value by less than one unit, so the sum by less than their number.
   long bits = 128;
   for (const Rational& term : terms) {
-    const auto size = static_cast<long>(term.numerator().bit_length()) - static_cast<long>(term.denominator().bit_length());
+    const auto size =
+        static_cast<long>(term.numerator().bit_length()) - static_cast<long>(term.denominator().bit_length());
     if (term.sign() != Sign::zero) bits = std::max(bits, std::min(128 - size, 4096L));
   }
   for (int attempt = 0; attempt < 6; ++attempt, bits *= 2) {

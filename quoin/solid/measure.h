@@ -9,7 +9,8 @@
 
 namespace quoin {
 
-/// Volume enclosed by the boundary, in cubic units; exact. Negative for the boundary of an unbounded set: minus the volume left out.
+/// Volume enclosed by the boundary, in cubic units; exact. Negative for the boundary of an unbounded set: minus the
+/// volume left out.
 ///
 /// A rational whose length grows with the number of constructed vertices: O(n) terms, added pairwise in a tree.
 Rational volume(const Brep& boundary, const Context& context);
@@ -27,7 +28,8 @@ RationalPoint3 area_vector(const Brep& boundary, std::uint32_t face);
 /// Sum of the lengths of the area vectors, each correct to 2 ulp.
 double surface_area(const Brep& boundary, const Context& context);
 
-/// Smallest box around the boundary, by its corners; rounded coordinates, so nearest doubles of the exact box. Nothing without faces.
+/// Smallest box around the boundary, by its corners; rounded coordinates, so nearest doubles of the exact box. Nothing
+/// without faces.
 struct Bounds {
   Point3 lo;
   Point3 hi;

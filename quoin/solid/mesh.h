@@ -22,7 +22,8 @@ struct Color {
 
 /// Polygons over shared vertices, as files hold them: no promise about closedness, orientation or crossings.
 ///
-/// Face f has the corners corners[face_begin[f]] ... corners[face_begin[f + 1] - 1], counterclockwise seen from outside.
+/// Face f has the corners corners[face_begin[f]] ... corners[face_begin[f + 1] - 1], counterclockwise seen from
+/// outside.
 struct Mesh {
   std::vector<Point3> vertices;            ///< finite; unit of the file
   std::vector<std::uint32_t> corners;      ///< indices into vertices

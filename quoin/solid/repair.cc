@@ -116,8 +116,8 @@ class MeshRepair {
     }
   }
 
-  // Each component alone is a leaf; its winding in front of a face tells whether it is inside out, and how many others lie around it
-  // tells whether it should be.
+  // Each component alone is a leaf; its winding in front of a face tells whether it is inside out, and how many others
+  // lie around it tells whether it should be.
   void face_outward() {
     std::vector<std::shared_ptr<const Leaf>> leaves(component_count_);
     for (std::uint32_t c = 0; c < component_count_; ++c) {
@@ -140,8 +140,10 @@ class MeshRepair {
       std::size_t around = 0;
       int own = 0;
       for (const overlay::Winding& w : winding.windings) {
-        if (w.leaf == c) own = w.number;
-        else if (w.number % 2 != 0) ++around;
+        if (w.leaf == c)
+          own = w.number;
+        else if (w.number % 2 != 0)
+          ++around;
       }
       const bool outward = winding.in_front ? own == 0 : own > 0;
       if (outward != (around % 2 == 0)) turn_component(c);
@@ -178,6 +180,8 @@ class MeshRepair {
 
 }  // namespace
 
-RepairResult repair_mesh(const Mesh& mesh, const Context& context) { return MeshRepair(mesh, context).run(); }
+RepairResult repair_mesh(const Mesh& mesh, const Context& context) {
+  return MeshRepair(mesh, context).run();
+}
 
 }  // namespace quoin

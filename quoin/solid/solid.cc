@@ -11,14 +11,14 @@ namespace quoin {
 
 namespace {
 
-
 std::vector<Expression> leaf_expressions(std::size_t count) {
   std::vector<Expression> result;
   for (std::uint32_t i = 0; i < count; ++i) result.push_back(Expression::leaf(i));
   return result;
 }
 
-Solid evaluate_all(Expression (*combine)(std::span<const Expression>), std::span<const Solid> solids, const Context& context) {
+Solid evaluate_all(Expression (*combine)(std::span<const Expression>), std::span<const Solid> solids,
+                   const Context& context) {
   return Solid::evaluate(combine(leaf_expressions(solids.size())), solids, context);
 }
 

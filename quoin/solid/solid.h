@@ -15,8 +15,8 @@ namespace quoin {
 
 /// A regular set of space with a polyhedral boundary, exact: immutable, cheap to copy, safe to share between threads.
 ///
-/// It knows the input meshes it was made from and the Boolean expression over them, so that a Boolean of solids is again one
-/// arrangement of all input meshes: nothing is ever rounded between operations, and depth costs no precision.
+/// It knows the input meshes it was made from and the Boolean expression over them, so that a Boolean of solids is
+/// again one arrangement of all input meshes: nothing is ever rounded between operations, and depth costs no precision.
 class Solid {
  public:
   /// The empty set.
@@ -25,7 +25,8 @@ class Solid {
   /// The points of positive winding number with respect to the leaf's tiles.
   static Solid from_leaf(std::shared_ptr<const Leaf> leaf, const Context& context);
 
-  /// An operand that is not evaluated by itself: its boundary is made with that of the expression it goes into, and is empty until then.
+  /// An operand that is not evaluated by itself: its boundary is made with that of the expression it goes into, and is
+  /// empty until then.
   static Solid of_leaf(std::shared_ptr<const Leaf> leaf);
 
   /// Evaluates the expression over `solids` (leaf i of the expression is solids[i]) as one arrangement.

@@ -13,8 +13,8 @@ struct TopologyCounts {
   std::size_t edges = 0;
   std::size_t faces = 0;
   std::size_t loops = 0;
-  std::size_t unbalanced_edges = 0;      ///< not used as often in one direction as in the other: never in a valid boundary
-  std::size_t nonmanifold_edges = 0;     ///< with more than two faces
+  std::size_t unbalanced_edges = 0;   ///< not used as often in one direction as in the other: never in a valid boundary
+  std::size_t nonmanifold_edges = 0;  ///< with more than two faces
   std::size_t nonmanifold_vertices = 0;  ///< whose faces form more than one fan
 
   bool is_closed() const { return unbalanced_edges == 0; }

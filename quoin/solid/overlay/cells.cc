@@ -92,7 +92,8 @@ class CellBuilder {
       if (here.rank == after.rank && i + 1 != sides.size()) {
         cells.unite(slot(here, true), slot(after, true));
         cells.unite(slot(here, false), slot(after, false));
-        coincident_.push_back({complex_.patch_of[here.sheet], complex_.patch_of[after.sheet], here.forward != after.forward});
+        coincident_.push_back(
+            {complex_.patch_of[here.sheet], complex_.patch_of[after.sheet], here.forward != after.forward});
       } else {
         cells.unite(slot(here, true), slot(after, false));
       }

@@ -12,11 +12,11 @@ namespace quoin::overlay {
 /// Sheets joined through edges where nothing else meets: all of a patch has the same cell before and behind it.
 struct Patch {
   std::uint32_t leaf;
-  std::uint32_t sheet;       ///< the smallest
-  std::uint32_t front;       ///< cell on the side the normals point to
+  std::uint32_t sheet;  ///< the smallest
+  std::uint32_t front;  ///< cell on the side the normals point to
   std::uint32_t back;
-  std::uint32_t wall;        ///< smallest patch that covers the same points; itself nearly always
-  bool is_reversed;          ///< its normals oppose those of `wall`
+  std::uint32_t wall;  ///< smallest patch that covers the same points; itself nearly always
+  bool is_reversed;    ///< its normals oppose those of `wall`
 };
 
 /// The cells into which all leaf boundaries divide space, as far as edges connect them, and what separates them.

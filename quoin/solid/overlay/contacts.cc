@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Letters: s and t are the two facets, p and q the ends of their intersections with the plane of the other; "up" in s means
-// towards the positive side of the plane of t. All intervals are directed along the vector product (normal of s) x (normal of t).
+// Letters: s and t are the two facets, p and q the ends of their intersections with the plane of the other; "up" in s
+// means towards the positive side of the plane of t. All intervals are directed along the vector product (normal of s)
+// x (normal of t).
 #include "quoin/solid/overlay/contacts.h"
 
 #include <utility>
@@ -28,8 +29,12 @@ struct Span {
   std::uint8_t edge = 0;    // that edge
 };
 
-constexpr std::size_t next(std::size_t k) { return k == 2 ? 0 : k + 1; }
-constexpr std::size_t previous(std::size_t k) { return k == 0 ? 2 : k - 1; }
+constexpr std::size_t next(std::size_t k) {
+  return k == 2 ? 0 : k + 1;
+}
+constexpr std::size_t previous(std::size_t k) {
+  return k == 0 ? 2 : k - 1;
+}
 
 bool strictly_one_side(const Signs& signs) {
   return signs[0] != Sign::zero && signs[0] == signs[1] && signs[1] == signs[2];
@@ -50,8 +55,12 @@ Signs sides(const Constructions& table, const Corners& facet, const Corners& oth
   return result;
 }
 
-Place vertex(std::size_t k) { return {Feature::vertex, static_cast<std::uint8_t>(k)}; }
-Place edge(std::size_t k) { return {Feature::edge, static_cast<std::uint8_t>(k)}; }
+Place vertex(std::size_t k) {
+  return {Feature::vertex, static_cast<std::uint8_t>(k)};
+}
+Place edge(std::size_t k) {
+  return {Feature::edge, static_cast<std::uint8_t>(k)};
+}
 
 // An upward crossing of the boundary comes first, since the interior lies to its left.
 Span span_of(const Signs& signs) {
@@ -163,7 +172,8 @@ class PairOfFacets {
     if (in_s.feature == Feature::edge && in_t.feature == Feature::edge) {
       return post_edges(edge_of(s_, in_s), edge_of(t_, in_t));
     }
-    return in_s.feature == Feature::edge ? post_edge(edge_of(s_, in_s), pair_.b) : post_edge(edge_of(t_, in_t), pair_.a);
+    return in_s.feature == Feature::edge ? post_edge(edge_of(s_, in_s), pair_.b)
+                                         : post_edge(edge_of(t_, in_t), pair_.a);
   }
 
   PointRef post_vertex(PointId v, const Corners& facet, std::uint32_t facet_index, Place place) {

@@ -67,7 +67,8 @@ struct Contacts {
   std::vector<EdgePoint> edge_points;
   std::vector<FacetPoint> facet_points;
   std::vector<Trace> traces;
-  std::vector<FacetPair> adjoining;  ///< pairs that share area, or a segment along an edge of one, and are not plain neighbours
+  std::vector<FacetPair>
+      adjoining;  ///< pairs that share area, or a segment along an edge of one, and are not plain neighbours
 };
 
 /// Appends what facets a and b have in common.
@@ -82,6 +83,7 @@ void find_contacts(const Scene& scene, FacetPair pair, Contacts& out);
 bool have_contacts(const Constructions& points, const Corners& a, const Corners& b);
 
 /// What two facets in one plane have in common.
-void find_coplanar_contacts(const Constructions& points, const Corners& a, const Corners& b, FacetPair pair, Contacts& out);
+void find_coplanar_contacts(const Constructions& points, const Corners& a, const Corners& b, FacetPair pair,
+                            Contacts& out);
 
 }  // namespace quoin::overlay

@@ -12,7 +12,9 @@ namespace quoin::overlay {
 
 namespace {
 
-constexpr std::size_t next(std::size_t k) { return k == 2 ? 0 : k + 1; }
+constexpr std::size_t next(std::size_t k) {
+  return k == 2 ? 0 : k + 1;
+}
 
 // inside[j][i]: side of corner i of one facet with respect to edge j of the other.
 using Sides = std::array<std::array<Sign, 3>, 3>;
@@ -163,7 +165,8 @@ class CoplanarPair {
 
 }  // namespace
 
-void find_coplanar_contacts(const Constructions& table, const Corners& a, const Corners& b, FacetPair pair, Contacts& out) {
+void find_coplanar_contacts(const Constructions& table, const Corners& a, const Corners& b, FacetPair pair,
+                            Contacts& out) {
   CoplanarPair(table, a, b, pair, out).run();
 }
 

@@ -186,7 +186,8 @@ std::vector<std::uint32_t> facets_with_curves(const Network& network) {
 }
 
 // Sets the new points and returns the id that stands for each key.
-std::vector<PointId> construct(Scene& scene, Network& network, const std::vector<PlaneTriple>& keys, const Context& context) {
+std::vector<PointId> construct(Scene& scene, Network& network, const std::vector<PlaneTriple>& keys,
+                               const Context& context) {
   Constructions& table = scene.table;
   const std::size_t first = table.point_count();
   if (first + keys.size() >= PointRef::contact_bit) throw InputError("too many intersections");

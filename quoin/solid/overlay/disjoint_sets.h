@@ -7,7 +7,8 @@
 
 namespace quoin::overlay {
 
-/// Disjoint sets of 0 ... n-1; the smallest member stands for its set, so the result does not depend on the order of unions.
+/// Disjoint sets of 0 ... n-1; the smallest member stands for its set, so the result does not depend on the order of
+/// unions.
 class DisjointSets {
  public:
   explicit DisjointSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0U); }

@@ -79,7 +79,9 @@ class Extractor {
     return colors.empty() ? Color{200, 200, 200, 255} : colors[from.face];
   }
 
-  bool same_color(std::uint32_t a, std::uint32_t b) const { return !has_colors_ || color(origin(a)) == color(origin(b)); }
+  bool same_color(std::uint32_t a, std::uint32_t b) const {
+    return !has_colors_ || color(origin(a)) == color(origin(b));
+  }
 
   bool is_involved(std::uint32_t tile) const {
     const std::uint32_t facet = scene_.facet_of_tile[tile];
@@ -145,7 +147,8 @@ class Extractor {
   bool is_flat(const Side& a, const Side& b) const {
     const bool a_reversed = fate(a.sheet) == Fate::reversed;
     const bool b_reversed = fate(b.sheet) == Fate::reversed;
-    if ((a.forward != a_reversed) == (b.forward != b_reversed)) return false;  // not one surface: cannot be, but costs nothing
+    if ((a.forward != a_reversed) == (b.forward != b_reversed))
+      return false;  // not one surface: cannot be, but costs nothing
     return same_color(a.sheet, b.sheet) && in_one_plane(sheets_, a.sheet, b.sheet) && faces_same_way(a, b);
   }
 
@@ -222,7 +225,8 @@ class Extractor {
     const std::array<PointId, 3> corners = sheets_.corners(sheet);
     begin_face(sheet, corners);
     auto member = std::lower_bound(members_.begin(), members_.end(), std::pair(sheet, 0U));
-    for (; member != members_.end() && member->first == sheet; ++member) brep_.origins.push_back(origin(member->second));
+    for (; member != members_.end() && member->first == sheet; ++member)
+      brep_.origins.push_back(origin(member->second));
     const auto first_origin = brep_.origins.begin() + brep_.face_first_origin.back();
     std::sort(first_origin, brep_.origins.end());
     brep_.origins.erase(std::unique(first_origin, brep_.origins.end()), brep_.origins.end());
@@ -289,8 +293,8 @@ class Extractor {
   const CellComplex& complex_;
   const CellTruth& truth_;
   const Context& context_;
-  DisjointSets faces_;   // of sheets
-  DisjointSets shells_;  // of patches
+  DisjointSets faces_;         // of sheets
+  DisjointSets shells_;        // of patches
   std::vector<bool> in_face_;  // per sheet: its face is chained from edges
   std::vector<Fate> fates_;    // per patch
   std::vector<FaceEdge> edges_;

@@ -10,12 +10,19 @@ namespace quoin::overlay {
 
 namespace {
 
-const Rational& coordinate(const RationalPoint3& p, unsigned axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
+const Rational& coordinate(const RationalPoint3& p, unsigned axis) {
+  return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
+}
 
 class LoopChainer {
  public:
   LoopChainer(const Constructions& table, std::span<const DirectedEdge> edges, unsigned axis, bool positive)
-      : table_(table), edges_(edges), u_((axis + 1) % 3), v_((axis + 2) % 3), positive_(positive), used_(edges.size(), false) {}
+      : table_(table),
+        edges_(edges),
+        u_((axis + 1) % 3),
+        v_((axis + 2) % 3),
+        positive_(positive),
+        used_(edges.size(), false) {}
 
   void run(std::vector<PointId>& vertices, std::vector<std::uint32_t>& loop_ends) {
     for (std::size_t first = 0; first < edges_.size(); ++first) {
@@ -35,7 +42,8 @@ class LoopChainer {
   std::size_t next(std::size_t e) const {
     const PointId at = edges_[e].to;
     const auto less = [](const DirectedEdge& d, PointId p) { return d.from < p; };
-    const auto first = static_cast<std::size_t>(std::lower_bound(edges_.begin(), edges_.end(), at, less) - edges_.begin());
+    const auto first =
+        static_cast<std::size_t>(std::lower_bound(edges_.begin(), edges_.end(), at, less) - edges_.begin());
     if (first == edges_.size() || edges_[first].from != at) throw InternalError("the boundary of a face is open");
     std::size_t best = first;
     for (std::size_t i = first + 1; i < edges_.size() && edges_[i].from == at; ++i) {
@@ -71,8 +79,8 @@ class LoopChainer {
     const double cv = r[v_] - p[v_];
     const double area = bu * cv - bv * cu;
     // Rounded coordinates are off by 2^-53 * size, differences by 4 times that; see left_of in winding.cc.
-    const double size = std::max({std::fabs(p[u_]), std::fabs(p[v_]), std::fabs(q[u_]), std::fabs(q[v_]),
-                                  std::fabs(r[u_]), std::fabs(r[v_])});
+    const double size = std::max(
+        {std::fabs(p[u_]), std::fabs(p[v_]), std::fabs(q[u_]), std::fabs(q[v_]), std::fabs(r[u_]), std::fabs(r[v_])});
     const double reach = std::max({std::fabs(bu), std::fabs(bv), std::fabs(cu), std::fabs(cv)}) + 0x1p-51 * size;
     Sign sign = Sign::zero;
     if (size > 1e-60 && size < 1e90 && std::fabs(area) > 0x1p-48 * size * reach) {

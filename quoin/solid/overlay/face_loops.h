@@ -15,11 +15,12 @@ struct DirectedEdge {
   friend auto operator<=>(const DirectedEdge&, const DirectedEdge&) = default;
 };
 
-/// Chains the boundary edges of one face into loops that do not cross each other: where several edges leave a vertex, a loop takes
-/// the first one clockwise from where it came.
+/// Chains the boundary edges of one face into loops that do not cross each other: where several edges leave a vertex, a
+/// loop takes the first one clockwise from where it came.
 ///
-/// `edges` must be sorted and balanced at every vertex. `axis` is one that the face's plane is not parallel to, `positive` whether
-/// its outward normal points to the positive end. Appends the loops' vertices, and the offset behind each loop.
+/// `edges` must be sorted and balanced at every vertex. `axis` is one that the face's plane is not parallel to,
+/// `positive` whether its outward normal points to the positive end. Appends the loops' vertices, and the offset behind
+/// each loop.
 void chain_loops(const Constructions& table, std::span<const DirectedEdge> edges, unsigned axis, bool positive,
                  std::vector<PointId>& vertices, std::vector<std::uint32_t>& loop_ends);
 

@@ -112,11 +112,12 @@ void FacetGraph::link() {
 
 // Counterclockwise; at a node of the boundary starting with the boundary itself.
 void FacetGraph::sort_around(std::uint32_t node) {
-  const std::span<std::uint32_t> around(leaving_.data() + first_leaving_[node], leaving_.data() + first_leaving_[node + 1]);
+  const std::span<std::uint32_t> around(leaving_.data() + first_leaving_[node],
+                                        leaving_.data() + first_leaving_[node + 1]);
   if (around.size() <= 1) return;
   const auto is_boundary = [&](std::uint32_t h) { return pieces_[h / 2].line < 3; };
-  const auto forward = std::find_if(around.begin(), around.end(),
-                                    [&](std::uint32_t h) { return is_boundary(h) && (h & 1U) == 0; });
+  const auto forward =
+      std::find_if(around.begin(), around.end(), [&](std::uint32_t h) { return is_boundary(h) && (h & 1U) == 0; });
   if (forward == around.end()) {
     if (around.size() > 2) sort_full_turn(around);
     return;

@@ -12,13 +12,15 @@ namespace quoin::overlay {
 /// The planar graph of one facet: its boundary and the curves on it, cut at all their vertices.
 ///
 /// Halfedges 2p and 2p + 1 are the two directions of piece p. `next` continues along the face on the left. Everything
-/// "counterclockwise" and "left" is seen from the positive side of the facet's plane. One object serves many facets in turn.
+/// "counterclockwise" and "left" is seen from the positive side of the facet's plane. One object serves many facets in
+/// turn.
 class FacetGraph {
  public:
   FacetGraph(Scene& scene, const Network& network, std::span<const PointOnCurve> crossings)
       : scene_(scene), table_(scene.table), network_(network), crossings_(crossings) {}
 
-  /// Line slots first_line ... first_line + 2 of the table are for the facet's edges; those of its curves are the curve indices.
+  /// Line slots first_line ... first_line + 2 of the table are for the facet's edges; those of its curves are the curve
+  /// indices.
   void build(std::uint32_t facet, std::size_t first_line);
 
   std::size_t node_count() const { return nodes_.size(); }
@@ -34,12 +36,13 @@ class FacetGraph {
     return {leaving_.data() + first_leaving_[n], leaving_.data() + first_leaving_[n + 1]};
   }
 
-  /// Of halfedges that leave one node within less than half a turn, whether the second is counterclockwise of the first.
+  /// Of halfedges that leave one node within less than half a turn, whether the second is counterclockwise of the
+  /// first.
   Sign turn(std::uint32_t first, std::uint32_t second);
   /// Lexicographic order of two nodes in the projection of the facet.
   bool less(std::uint32_t m, std::uint32_t n) const;
-  /// Whether the ray from the node towards the second projected coordinate crosses the halfedge (half-open rule); the node
-  /// must not lie on it.
+  /// Whether the ray from the node towards the second projected coordinate crosses the halfedge (half-open rule); the
+  /// node must not lie on it.
   bool ray_crosses(std::uint32_t n, std::uint32_t halfedge);
 
  private:

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// About an edge with direction d, a sheet with normal n extends along h = s (n x d), s = +1 for a forward side and -1 for a
-// backward one. For two sheets, d . (h1 x h2) = |d|^2 s1 s2 d . (n1 x n2) and h1 . h2 = |d|^2 s1 s2 n1 . n2, so the order about the
-// edge needs no constructed point.
+// About an edge with direction d, a sheet with normal n extends along h = s (n x d), s = +1 for a forward side and -1
+// for a backward one. For two sheets, d . (h1 x h2) = |d|^2 s1 s2 d . (n1 x n2) and h1 . h2 = |d|^2 s1 s2 n1 . n2, so
+// the order about the edge needs no constructed point.
 #include "quoin/solid/overlay/fans.h"
 
 #include <algorithm>
@@ -46,7 +46,8 @@ class FanBuilder {
     const Subdivision& cut = *sheets_.subdivision;
     for (std::uint32_t r = 0; r < cut.region_count(); ++r) {
       const auto sheet = static_cast<std::uint32_t>(sheets_.tile_count() + r);
-      for (std::uint32_t l = cut.region_first_loop[r]; l < cut.region_first_loop[r + 1]; ++l) add_loop(cut.loop(l), sheet);
+      for (std::uint32_t l = cut.region_first_loop[r]; l < cut.region_first_loop[r + 1]; ++l)
+        add_loop(cut.loop(l), sheet);
     }
     for (std::uint32_t f = 0; f < scene_.facets.size(); ++f) {
       if (!sheets_.network->involved[f]) continue;
@@ -108,7 +109,8 @@ class FanBuilder {
 
   PlaneId plane(const Side& side) const { return PlaneId{sheets_.facet(side.sheet)}; }
 
-  // Sets the line along the edge; positive when it runs from the smaller to the larger end, zero when all sides share a plane.
+  // Sets the line along the edge; positive when it runs from the smaller to the larger end, zero when all sides share a
+  // plane.
   Sign set_line(std::span<const Side> sides, LineId line) {
     const auto other = std::find_if(sides.begin() + 1, sides.end(),
                                     [&](const Side& s) { return !in_one_plane(sheets_, sides[0].sheet, s.sheet); });

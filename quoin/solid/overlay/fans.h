@@ -40,7 +40,8 @@ struct Sheets {
   }
 };
 
-/// A sheet at an edge that it bounds; `forward` when the sheet lies to the left of the edge from its smaller to its larger end.
+/// A sheet at an edge that it bounds; `forward` when the sheet lies to the left of the edge from its smaller to its
+/// larger end.
 struct Side {
   PointId from;  ///< smaller
   PointId to;

@@ -150,7 +150,8 @@ class NetworkBuilder {
     for_each_chunk(context_, axis_planes_.size(), 512, [&](const Chunk& chunk) {
       for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
         const AxisPlane& plane = axis_planes_[i];
-        table.set_axis_plane(PlaneId{scene_.facets.size() + i}, PointId{plane.edge.a}, PointId{plane.edge.b}, plane.axis);
+        table.set_axis_plane(PlaneId{scene_.facets.size() + i}, PointId{plane.edge.a}, PointId{plane.edge.b},
+                             plane.axis);
       }
     });
   }
@@ -207,26 +208,27 @@ class NetworkBuilder {
         if (from == to) continue;
         if (to < from) std::swap(from, to);
         const bool along = t.cutter == none;
-        curves.push_back({t.facet, from, to, along ? id_of(plane_of_trace(t)) : PlaneId{t.cutter}, along ? t.edge : Edge{none, none}});
+        curves.push_back({t.facet, from, to, along ? id_of(plane_of_trace(t)) : PlaneId{t.cutter},
+                          along ? t.edge : Edge{none, none}});
       }
     }
     const auto place = [](const Curve& c) { return std::tuple(c.facet, c.from, c.to); };
     std::sort(curves.begin(), curves.end(), [&](const Curve& x, const Curve& y) {
       return std::tuple_cat(place(x), std::tuple(x.cut)) < std::tuple_cat(place(y), std::tuple(y.cut));
     });
-    curves.erase(std::unique(curves.begin(), curves.end(),
-                             [&](const Curve& x, const Curve& y) { return place(x) == place(y); }),
-                 curves.end());
+    curves.erase(
+        std::unique(curves.begin(), curves.end(), [&](const Curve& x, const Curve& y) { return place(x) == place(y); }),
+        curves.end());
   }
 
   Scene& scene_;
   const Context& context_;
   Network network_;
-  std::vector<Contacts> found_;               // per chunk of pairs
-  std::vector<std::vector<PointId>> ids_;     // of the contacts of each chunk
-  std::vector<ContactKey> keys_;              // sorted; contact i is point first_contact_ + i
-  std::vector<PointId> canonical_;            // per contact
-  std::vector<AxisPlane> axis_planes_;        // sorted; their planes follow those of the facets
+  std::vector<Contacts> found_;            // per chunk of pairs
+  std::vector<std::vector<PointId>> ids_;  // of the contacts of each chunk
+  std::vector<ContactKey> keys_;           // sorted; contact i is point first_contact_ + i
+  std::vector<PointId> canonical_;         // per contact
+  std::vector<AxisPlane> axis_planes_;     // sorted; their planes follow those of the facets
   std::size_t first_contact_ = 0;
 };
 
@@ -260,6 +262,8 @@ std::span<const Curve> Network::curves_in(std::uint32_t facet) const {
   return {first, last};
 }
 
-Network make_network(Scene& scene, const Context& context) { return NetworkBuilder(scene, context).run(); }
+Network make_network(Scene& scene, const Context& context) {
+  return NetworkBuilder(scene, context).run();
+}
 
 }  // namespace quoin::overlay

@@ -40,7 +40,8 @@ struct PointInFacet {
   friend auto operator<=>(const PointInFacet&, const PointInFacet&) = default;
 };
 
-/// A segment strictly inside a facet (its ends may lie on the boundary), along the line in which plane `cut` meets the facet's.
+/// A segment strictly inside a facet (its ends may lie on the boundary), along the line in which plane `cut` meets the
+/// facet's.
 struct Curve {
   std::uint32_t facet;
   PointId from;  ///< from < to
@@ -65,7 +66,8 @@ struct Network {
   std::span<const Curve> curves_in(std::uint32_t facet) const;
 };
 
-/// Intersects all candidate pairs of the scene, sets planes and constructs the vertices. O(pairs + contacts log contacts).
+/// Intersects all candidate pairs of the scene, sets planes and constructs the vertices. O(pairs + contacts log
+/// contacts).
 Network make_network(Scene& scene, const Context& context);
 
 }  // namespace quoin::overlay

@@ -51,7 +51,8 @@ std::vector<LeafPair> leaf_pairs(std::span<const std::shared_ptr<const Leaf>> le
 std::vector<TilePair> tile_pairs(const Scene& scene, LeafPair leaves, const Context& context) {
   const Leaf& a = *scene.leaves[leaves.a];
   const Leaf& b = *scene.leaves[leaves.b];
-  std::vector<TilePair> pairs = leaves.a == leaves.b ? a.tree.self_pairs(context) : BoxTree::pairs(a.tree, b.tree, context);
+  std::vector<TilePair> pairs =
+      leaves.a == leaves.b ? a.tree.self_pairs(context) : BoxTree::pairs(a.tree, b.tree, context);
   for (TilePair& pair : pairs) {
     pair.a += scene.first_tile[leaves.a];
     pair.b += scene.first_tile[leaves.b];
@@ -71,9 +72,8 @@ std::uint32_t add_facet(Scene& scene, std::uint32_t tile, std::uint32_t leaf) {
 void find_pairs(Scene& scene, const Context& context) {
   const std::vector<LeafPair> meeting = leaf_pairs(scene.leaves);
   std::vector<std::vector<TilePair>> found(meeting.size());
-  for_each_chunk(context, meeting.size(), 1, [&](const Chunk& chunk) {
-    found[chunk.index] = tile_pairs(scene, meeting[chunk.index], context);
-  });
+  for_each_chunk(context, meeting.size(), 1,
+                 [&](const Chunk& chunk) { found[chunk.index] = tile_pairs(scene, meeting[chunk.index], context); });
   for (std::size_t i = 0; i < meeting.size(); ++i) {
     for (const TilePair& pair : found[i]) {
       const std::uint32_t a = add_facet(scene, pair.a, meeting[i].a);
@@ -141,7 +141,8 @@ void number_leaves(Scene& scene) {
     scene.first_tile.push_back(static_cast<std::uint32_t>(tiles));
     vertices += leaf->vertices.size();
     tiles += leaf->tiles.size();
-    if (vertices >= 0x7FFFFFFFU || tiles >= 0x2AAAAAAAU) throw InputError("more than 700 million triangles in one operation");
+    if (vertices >= 0x7FFFFFFFU || tiles >= 0x2AAAAAAAU)
+      throw InputError("more than 700 million triangles in one operation");
   }
   scene.first_vertex.push_back(static_cast<std::uint32_t>(vertices));
   scene.first_tile.push_back(static_cast<std::uint32_t>(tiles));

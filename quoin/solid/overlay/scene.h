@@ -19,7 +19,7 @@ using Corners = std::array<PointId, 3>;
 
 /// A tile that may meet others. Its plane, once set, is the plane of the same index in the table.
 struct Facet {
-  std::uint32_t tile;             ///< number of the tile in the scene
+  std::uint32_t tile;  ///< number of the tile in the scene
   std::uint32_t leaf;
   Corners corners;  ///< equal points of all facets share one id
 };
@@ -36,8 +36,8 @@ struct FacetPair {
 /// an edge of their leaf without a twin; everything that costs arithmetic is done on facets alone.
 struct Scene {
   std::span<const std::shared_ptr<const Leaf>> leaves;
-  std::vector<std::uint32_t> first_vertex;   ///< leaf count + 1
-  std::vector<std::uint32_t> first_tile;     ///< leaf count + 1
+  std::vector<std::uint32_t> first_vertex;  ///< leaf count + 1
+  std::vector<std::uint32_t> first_tile;    ///< leaf count + 1
   Constructions table{std::vector<Point3>{}};
   std::vector<Facet> facets;
   std::vector<std::uint32_t> facet_of_tile;  ///< or none

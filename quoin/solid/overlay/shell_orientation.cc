@@ -15,10 +15,13 @@ struct Sum {
   double size = 0;  // of the absolute values of all products
 };
 
-Point3 minus(const Point3& a, const Point3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+Point3 minus(const Point3& a, const Point3& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
 
 void add_cone(Sum& sum, const Point3& a, const Point3& b, const Point3& c) {
-  const double terms[] = {a.x * b.y * c.z, a.y * b.z * c.x, a.z * b.x * c.y, -a.x * b.z * c.y, -a.y * b.x * c.z, -a.z * b.y * c.x};
+  const double terms[] = {a.x * b.y * c.z,  a.y * b.z * c.x,  a.z * b.x * c.y,
+                          -a.x * b.z * c.y, -a.y * b.x * c.z, -a.z * b.y * c.x};
   for (const double t : terms) {
     sum.value += t;
     sum.size += std::fabs(t);
@@ -79,8 +82,9 @@ class ShellOrienter {
     });
   }
 
-  // Coordinates are off by 2^-53 of the reach M, differences by 2^-51 M, and no difference exceeds 2 M; a product of three is then off
-  // by 3 * 2^-51 M * 4 M^2 < 2^-47 M^3 and the sum of 6 n of them, with its own roundings, by less than n 2^-44 M^3 + n 2^-49 size.
+  // Coordinates are off by 2^-53 of the reach M, differences by 2^-51 M, and no difference exceeds 2 M; a product of
+  // three is then off by 3 * 2^-51 M * 4 M^2 < 2^-47 M^3 and the sum of 6 n of them, with its own roundings, by less
+  // than n 2^-44 M^3 + n 2^-49 size.
   Sign sign(std::uint32_t s) const {
     const double reach = reach_[s];
     const double n = static_cast<double>(triangles_);
@@ -119,6 +123,8 @@ class ShellOrienter {
 
 }  // namespace
 
-void orient_shells(Brep& brep) { ShellOrienter(brep).run(); }
+void orient_shells(Brep& brep) {
+  ShellOrienter(brep).run();
+}
 
 }  // namespace quoin::overlay

@@ -5,7 +5,8 @@
 
 namespace quoin::overlay {
 
-/// Tells voids from outer shells by the sign of the volume that each encloses, exactly, and counts the pieces of material.
+/// Tells voids from outer shells by the sign of the volume that each encloses, exactly, and counts the pieces of
+/// material.
 void orient_shells(Brep& brep);
 
 }  // namespace quoin::overlay

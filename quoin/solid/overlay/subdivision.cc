@@ -14,7 +14,8 @@ namespace {
 // Traces the faces of one facet's graph and nests the parts that do not touch its boundary.
 class RegionTracer {
  public:
-  RegionTracer(FacetGraph& graph, const Constructions& table, Subdivision& out) : graph_(graph), table_(table), out_(out) {}
+  RegionTracer(FacetGraph& graph, const Constructions& table, Subdivision& out)
+      : graph_(graph), table_(table), out_(out) {}
 
   void run(std::uint32_t facet) {
     trace_cycles();
@@ -108,12 +109,14 @@ class RegionTracer {
     for (std::uint32_t part = 0; part < smallest.size(); ++part) {
       if (smallest[part] == none || part == boundary_part) continue;
       for (std::uint32_t c = 0; c < cycles_.size(); ++c) {
-        if (!cycles_[c].is_outside && cycles_[c].part != part && contains(c, smallest[part])) around_[part].push_back(c);
+        if (!cycles_[c].is_outside && cycles_[c].part != part && contains(c, smallest[part]))
+          around_[part].push_back(c);
       }
     }
     hole_parents_.clear();
     for (std::uint32_t c = 0; c < cycles_.size(); ++c) {
-      if (cycles_[c].is_outside && cycles_[c].part != boundary_part) hole_parents_.push_back({innermost(cycles_[c].part), c});
+      if (cycles_[c].is_outside && cycles_[c].part != boundary_part)
+        hole_parents_.push_back({innermost(cycles_[c].part), c});
     }
     std::sort(hole_parents_.begin(), hole_parents_.end());
   }

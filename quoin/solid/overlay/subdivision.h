@@ -14,7 +14,7 @@ namespace quoin::overlay {
 ///
 /// Loops are closed chains of vertices with the region on their left, seen from the positive side of the facet's plane.
 struct Subdivision {
-  std::vector<std::uint32_t> region_facet;        ///< per region
+  std::vector<std::uint32_t> region_facet;  ///< per region
   std::vector<std::uint32_t> region_first_loop{0};
   std::vector<std::uint32_t> loop_begin{0};
   std::vector<PointId> loop_vertices;
@@ -27,6 +27,7 @@ struct Subdivision {
 
 /// Cuts every facet that has points or curves. Regions in the order of their facets. O(k log k) per facet with k
 /// curve pieces, and O(c k) more for c connected parts of its curves apart from the boundary.
-Subdivision subdivide(Scene& scene, const Network& network, std::span<const PointOnCurve> crossings, const Context& context);
+Subdivision subdivide(Scene& scene, const Network& network, std::span<const PointOnCurve> crossings,
+                      const Context& context);
 
 }  // namespace quoin::overlay

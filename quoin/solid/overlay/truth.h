@@ -37,8 +37,9 @@ struct CellTruth {
   bool is_unbounded = false;         ///< points far away are inside
 };
 
-/// Decides for each cell whether it belongs to the expression's set. One exact line per connected part of the complex, then a walk
-/// across its walls. O(patches * depth of the expression) at worst.
-CellTruth classify_cells(const Sheets& sheets, const CellComplex& complex, const Expression& expression, const Context& context);
+/// Decides for each cell whether it belongs to the expression's set. One exact line per connected part of the complex,
+/// then a walk across its walls. O(patches * depth of the expression) at worst.
+CellTruth classify_cells(const Sheets& sheets, const CellComplex& complex, const Expression& expression,
+                         const Context& context);
 
 }  // namespace quoin::overlay

@@ -24,7 +24,8 @@ void for_each_pass(const Brep& brep, const Visit& visit) {
     for (std::uint32_t l = brep.face_first_loop[face]; l < brep.face_first_loop[face + 1]; ++l) {
       const auto loop = brep.loop(l);
       for (std::size_t i = 0; i < loop.size(); ++i) {
-        visit(loop[i].value, loop[i == 0 ? loop.size() - 1 : i - 1].value, loop[i + 1 == loop.size() ? 0 : i + 1].value, face);
+        visit(loop[i].value, loop[i == 0 ? loop.size() - 1 : i - 1].value, loop[i + 1 == loop.size() ? 0 : i + 1].value,
+              face);
       }
     }
   }
@@ -46,7 +47,8 @@ bool planes_differ(const Constructions& table, const std::array<PointId, 3>& a, 
                      [&](PointId p) { return table.orientation(a[0], a[1], a[2], p) != Sign::zero; });
 }
 
-// Where faces in two different planes pass between the same neighbours, both edges lie on the line that the planes share.
+// Where faces in two different planes pass between the same neighbours, both edges lie on the line that the planes
+// share.
 std::vector<bool> find_straight(const Constructions& table, const Brep& brep) {
   const std::vector<Neighbours> neighbours = common_neighbours(table, brep);
   std::vector<bool> straight(neighbours.size(), false);

@@ -5,7 +5,8 @@
 
 namespace quoin::overlay {
 
-/// Drops every vertex at which, over the whole boundary, just two edges meet that lie on one line. Point ids are those of `table`.
+/// Drops every vertex at which, over the whole boundary, just two edges meet that lie on one line. Point ids are those
+/// of `table`.
 void dissolve_vertices(const Constructions& table, Brep& brep);
 
 }  // namespace quoin::overlay

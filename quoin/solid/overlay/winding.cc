@@ -13,7 +13,9 @@ namespace {
 
 constexpr double unit = 0x1p-53;  // half an ulp of 1
 
-const Rational& coordinate(const RationalPoint3& p, unsigned axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
+const Rational& coordinate(const RationalPoint3& p, unsigned axis) {
+  return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
+}
 
 Rational cross(const RationalPoint3& a, const RationalPoint3& b, const RationalPoint3& c, unsigned axis) {
   const unsigned u = (axis + 1) % 3;
@@ -50,7 +52,8 @@ unsigned largest_axis(const Constructions& table, const Corners& c) {
   return best;
 }
 
-// A corner of the polygon next to which a point inside is easy to find: O'Rourke, Computational Geometry in C, section 1.4.
+// A corner of the polygon next to which a point inside is easy to find: O'Rourke, Computational Geometry in C,
+// section 1.4.
 class RegionInterior {
  public:
   RegionInterior(const Sheets& sheets, std::uint32_t region) : table_(sheets.scene->table), cut_(*sheets.subdivision) {
@@ -125,7 +128,9 @@ class RegionInterior {
   std::uint32_t end_loop_;
 };
 
-double rounded(const Rational& value) { return value.to_double(); }
+double rounded(const Rational& value) {
+  return value.to_double();
+}
 
 // The line through a point along an axis, against tiles. Coordinates u and v are the other two.
 class LineThroughPoint {
@@ -176,7 +181,8 @@ class LineThroughPoint {
     const double ev = rounded_[v] - p[v];
     const double area = du * ev - dv * eu;
     // Every coordinate is off by at most unit * size, every difference by 4 unit * size; two products of differences
-    // of at most `reach` then by 4 * 4 unit * size * reach, and their own roundings by 4 unit * reach^2 <= 8 unit * size * reach.
+    // of at most `reach` then by 4 * 4 unit * size * reach, and their own roundings by 4 unit * reach^2 <= 8 unit *
+    // size * reach.
     const double size = std::max({std::fabs(p[u]), std::fabs(p[v]), std::fabs(q[u]), std::fabs(q[v]),
                                   std::fabs(rounded_[u]), std::fabs(rounded_[v])});
     const double reach = std::max({std::fabs(du), std::fabs(dv), std::fabs(eu), std::fabs(ev)}) + 4 * unit * size;
@@ -224,8 +230,12 @@ class LineThroughPoint {
   unsigned axis_;
 };
 
-double below(double x) { return std::nextafter(x, -std::numeric_limits<double>::infinity()); }
-double above(double x) { return std::nextafter(x, std::numeric_limits<double>::infinity()); }
+double below(double x) {
+  return std::nextafter(x, -std::numeric_limits<double>::infinity());
+}
+double above(double x) {
+  return std::nextafter(x, std::numeric_limits<double>::infinity());
+}
 
 }  // namespace
 

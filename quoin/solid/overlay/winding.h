@@ -24,8 +24,8 @@ struct SheetWinding {
 /// A point strictly inside a sheet. O(n) for a region with n vertices, in rationals for regions.
 RationalPoint3 interior_point(const Sheets& sheets, std::uint32_t sheet);
 
-/// Counts, exactly and for all leaves, the tiles above the sheet on a line through its interior point along the axis of its largest
-/// normal component. The line is moved by an infinitesimal that no edge can hit; sheets that overlap the
+/// Counts, exactly and for all leaves, the tiles above the sheet on a line through its interior point along the axis of
+/// its largest normal component. The line is moved by an infinitesimal that no edge can hit; sheets that overlap the
 /// given one do not count. O(log n + tiles near the line) per leaf near the line.
 SheetWinding winding_at(const Sheets& sheets, std::uint32_t sheet);
 
