@@ -31,7 +31,7 @@ add_custom_command(
   OUTPUT "${web_build}/installed"
   COMMAND "${CMAKE_COMMAND}" -E make_directory "${web_build}"
   COMMAND "${CMAKE_COMMAND}" -E copy ${web_lock_paths} "${web_build}"
-  COMMAND "${NPM_PROGRAM}" ci --no-audit --no-fund --loglevel=error
+  COMMAND "${NPM_PROGRAM}" install --no-audit --no-fund --loglevel=error
   COMMAND "${CMAKE_COMMAND}" -E touch "${web_build}/installed"
   WORKING_DIRECTORY "${web_build}"
   DEPENDS ${web_lock_paths}

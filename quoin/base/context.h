@@ -12,11 +12,11 @@ namespace quoin {
 
 /// How a long operation runs.
 struct ContextOptions {
-  unsigned threads = 0;                                ///< 0: as many as the machine has
-  std::uint64_t seed = 0;                              ///< for algorithms that draw random numbers; the result never depends on threads
-  std::optional<std::chrono::milliseconds> timeout;    ///< from the construction of the Context
+  unsigned threads = 0;    ///< 0: as many as the machine has
+  std::uint64_t seed = 0;  ///< for algorithms that draw random numbers; the result never depends on threads
+  std::optional<std::chrono::milliseconds> timeout{};  ///< from the construction of the Context
   /// Called now and then with a stage's name and the part of it that is done, in [0, 1]; from one thread at a time.
-  std::function<void(std::string_view stage, double done)> progress;
+  std::function<void(std::string_view stage, double done)> progress{};
 };
 
 /// Threads, progress, cancellation, time limit and seed of long operations.

@@ -12,7 +12,9 @@ namespace quoin {
 namespace {
 
 // Inside a task of the same arena nested calls share its threads.
-bool inside_arena() { return oneapi::tbb::this_task_arena::current_thread_index() != oneapi::tbb::task_arena::not_initialized; }
+bool inside_arena() {
+  return oneapi::tbb::this_task_arena::current_thread_index() != oneapi::tbb::task_arena::not_initialized;
+}
 
 template <class Work>
 void in_arena(const Context& context, const Work& work) {

@@ -16,7 +16,9 @@ struct Chunk {
 };
 
 /// How many chunks `for_each_chunk` makes of `count` elements; depends on nothing but its arguments.
-constexpr std::size_t chunk_count(std::size_t count, std::size_t grain) { return (count + grain - 1) / grain; }
+constexpr std::size_t chunk_count(std::size_t count, std::size_t grain) {
+  return (count + grain - 1) / grain;
+}
 
 /// Calls `body` once per chunk of `grain` elements of [0, count), on at most context.threads() threads, and polls the
 /// context before each chunk. The chunks do not depend on the number of threads: results written per chunk and

@@ -23,21 +23,26 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Json = nlohmann::ordered_json;
 
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
 const char* name_of(Rounding rounding, bool accepted) {
   if (rounding == Rounding::exact) return "exact";
   return rounding == Rounding::certified ? "certified" : accepted ? "accepted" : "failed";
 }
 
-bool is_exact_text(const std::string& name) { return std::filesystem::path(name).extension() == ".qsolid"; }
+bool is_exact_text(const std::string& name) {
+  return std::filesystem::path(name).extension() == ".qsolid";
+}
 
 void print_warnings(const std::vector<std::string>& warnings, const Options& options) {
   if (options.quiet) return;
   for (const std::string& w : warnings) std::cerr << "quoin: warning: " << w << "\n";
 }
 
-// The report of a command that made a solid, on standard output, or on standard error where the solid itself goes there.
+// The report of a command that made a solid, on standard output, or on standard error where the solid itself goes
+// there.
 int report(const Brep& boundary, const OutputReport& output, const std::vector<std::string>& warnings, double seconds,
            const Options& options, const Context& context) {
   const bool uses_stdout = std::find(options.outputs.begin(), options.outputs.end(), "-") != options.outputs.end();
@@ -73,16 +78,21 @@ int finish(const Brep& boundary, const std::string& title, std::vector<std::stri
   return report(boundary, output, warnings, seconds_since(start), options, context);
 }
 
-std::string stem(const std::string& name) { return name == "-" ? "input" : std::filesystem::path(name).stem().string(); }
+std::string stem(const std::string& name) {
+  return name == "-" ? "input" : std::filesystem::path(name).stem().string();
+}
 
 // Exact text or a mesh as a boundary.
-std::shared_ptr<const Brep> load_boundary(const std::string& name, const Options& options, std::vector<std::string>& warnings, const Context& context) {
+std::shared_ptr<const Brep> load_boundary(const std::string& name, const Options& options,
+                                          std::vector<std::string>& warnings, const Context& context) {
   if (is_exact_text(name)) return std::make_shared<const Brep>(read_exact_text(read_file(name), name));
   return Solid::from_leaf(load_leaf(name, options, warnings, context), context).shared_boundary();
 }
 
-Solid load_operand(const std::string& name, const Options& options, std::vector<std::string>& warnings, const Context& context) {
-  if (is_exact_text(name)) throw InputError(name + ": exact text is not read as an operand yet; use the meshes it was made from");
+Solid load_operand(const std::string& name, const Options& options, std::vector<std::string>& warnings,
+                   const Context& context) {
+  if (is_exact_text(name))
+    throw InputError(name + ": exact text is not read as an operand yet; use the meshes it was made from");
   return Solid::of_leaf(load_leaf(name, options, warnings, context));
 }
 
@@ -113,7 +123,8 @@ int run_csg(const Options& options, const Context& context) {
   std::vector<Solid> solids;
   for (const std::string& input : options.inputs) {
     const std::size_t equals = input.find('=');
-    if (equals == std::string::npos || equals == 0) throw InputError("'" + input + "': operands of csg are given as NAME=FILE");
+    if (equals == std::string::npos || equals == 0)
+      throw InputError("'" + input + "': operands of csg are given as NAME=FILE");
     names.push_back(input.substr(0, equals));
   }
   const Expression expression = parse_expression(options.expression, names);
@@ -157,7 +168,8 @@ int run_check(const Options& options, const Context& context) {
       const LeafResult leaf = make_leaf(load_mesh(name, options, warnings, context), {}, context);
       print_warnings(warnings, options);
       findings = describe(leaf.diagnosis);
-      valid = leaf.leaf != nullptr && leaf.diagnosis.crossing_faces.count == 0 && leaf.diagnosis.inverted_components.count == 0;
+      valid = leaf.leaf != nullptr && leaf.diagnosis.crossing_faces.count == 0 &&
+              leaf.diagnosis.inverted_components.count == 0;
     }
     all_valid = all_valid && valid;
     all.push_back({{"file", name}, {"valid", valid}, {"findings", findings}});

@@ -40,7 +40,9 @@ class Parser {
       ++position_;
       const Expression right = product();
       const Expression both[] = {left, right};
-      left = op == '-' ? Expression::subtract(left, {&right, 1}) : op == '^' ? Expression::exclusive(both) : Expression::unite(both);
+      left = op == '-'   ? Expression::subtract(left, {&right, 1})
+             : op == '^' ? Expression::exclusive(both)
+                         : Expression::unite(both);
     }
   }
 
@@ -74,7 +76,9 @@ class Parser {
   }
 
   Expression name() {
-    const auto is_name = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.'; };
+    const auto is_name = [](char c) {
+      return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.';
+    };
     const std::size_t begin = position_;
     while (position_ < text_.size() && is_name(text_[position_])) ++position_;
     if (position_ == begin) fail("a name, '(' or '!' should stand here");
@@ -95,6 +99,8 @@ class Parser {
 
 }  // namespace
 
-Expression parse_expression(std::string_view text, const std::vector<std::string>& names) { return Parser(text, names).run(); }
+Expression parse_expression(std::string_view text, const std::vector<std::string>& names) {
+  return Parser(text, names).run();
+}
 
 }  // namespace quoin::cli

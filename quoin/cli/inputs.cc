@@ -10,9 +10,15 @@ namespace quoin::cli {
 
 namespace {
 
-std::string name_of(std::uint32_t element) { return std::to_string(element); }
-std::string name_of(const MeshEdge& edge) { return std::to_string(edge.from) + "-" + std::to_string(edge.to); }
-std::string name_of(const FacePair& pair) { return std::to_string(pair.a) + "/" + std::to_string(pair.b); }
+std::string name_of(std::uint32_t element) {
+  return std::to_string(element);
+}
+std::string name_of(const MeshEdge& edge) {
+  return std::to_string(edge.from) + "-" + std::to_string(edge.to);
+}
+std::string name_of(const FacePair& pair) {
+  return std::to_string(pair.a) + "/" + std::to_string(pair.b);
+}
 
 template <class Element>
 void describe(const Finding<Element>& finding, const std::string& what, std::vector<std::string>& lines) {
@@ -41,7 +47,8 @@ std::vector<std::string> describe(const MeshDiagnosis& d) {
   return lines;
 }
 
-Mesh load_mesh(const std::string& name, const Options& options, std::vector<std::string>& warnings, const Context& context) {
+Mesh load_mesh(const std::string& name, const Options& options, std::vector<std::string>& warnings,
+               const Context& context) {
   ReadOptions read;
   read.weld_tolerance = options.weld_tolerance;
   MeshFile file;
@@ -55,8 +62,8 @@ Mesh load_mesh(const std::string& name, const Options& options, std::vector<std:
   return std::move(file.mesh);
 }
 
-std::shared_ptr<const Leaf> load_leaf(const std::string& name, const Options& options, std::vector<std::string>& warnings,
-                                      const Context& context) {
+std::shared_ptr<const Leaf> load_leaf(const std::string& name, const Options& options,
+                                      std::vector<std::string>& warnings, const Context& context) {
   const Mesh mesh = load_mesh(name, options, warnings, context);
   LeafResult result = make_leaf(mesh, {}, context);
   const std::vector<std::string> findings = describe(result.diagnosis);

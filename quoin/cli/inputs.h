@@ -12,11 +12,12 @@
 namespace quoin::cli {
 
 /// Reads a file or standard input and passes its warnings to `warnings`.
-Mesh load_mesh(const std::string& name, const Options& options, std::vector<std::string>& warnings, const Context& context);
+Mesh load_mesh(const std::string& name, const Options& options, std::vector<std::string>& warnings,
+               const Context& context);
 
 /// Reads an operand. @throws InputError with the diagnosis when it does not bound a solid
-std::shared_ptr<const Leaf> load_leaf(const std::string& name, const Options& options, std::vector<std::string>& warnings,
-                                      const Context& context);
+std::shared_ptr<const Leaf> load_leaf(const std::string& name, const Options& options,
+                                      std::vector<std::string>& warnings, const Context& context);
 
 /// One line per kind of finding, with the first elements.
 std::vector<std::string> describe(const MeshDiagnosis& diagnosis);

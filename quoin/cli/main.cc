@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <unistd.h>
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <csignal>
 #include <iostream>
-#include <unistd.h>
 
 #include "quoin/base/error.h"
 #include "quoin/cli/commands.h"
@@ -24,10 +24,12 @@ void cancel_running(int) {
 
 void add_common(CLI::App& command, Options& options, bool writes) {
   if (writes) {
-    command.add_option("-o,--output", options.outputs,
-                       "file to write, format by its ending: off obj stl ply (rounded, certified), html (a page to look at), "
-                       "qsolid (exact); '-' for OFF on standard output; may be repeated");
-    command.add_flag("--accept-rounding", options.accept_rounding, "write a mesh even where rounding makes faces cross");
+    command.add_option(
+        "-o,--output", options.outputs,
+        "file to write, format by its ending: off obj stl ply (rounded, certified), html (a page to look at), "
+        "qsolid (exact); '-' for OFF on standard output; may be repeated");
+    command.add_flag("--accept-rounding", options.accept_rounding,
+                     "write a mesh even where rounding makes faces cross");
   }
   command.add_flag("--json", options.json, "report as JSON");
   command.add_option("--threads", options.threads, "threads to use (default: all)");
@@ -42,9 +44,12 @@ ContextOptions context_options(const Options& options) {
   ContextOptions result;
   result.threads = options.threads;
   result.seed = options.seed;
-  if (options.timeout) result.timeout = std::chrono::milliseconds(static_cast<std::int64_t>(std::min(*options.timeout, 1e9) * 1000));
+  if (options.timeout)
+    result.timeout = std::chrono::milliseconds(static_cast<std::int64_t>(std::min(*options.timeout, 1e9) * 1000));
   if (!options.quiet && (options.verbose || isatty(STDERR_FILENO) != 0)) {
-    result.progress = [](std::string_view stage, double) { std::cerr << "\rquoin: " << stage << "\x1b[K" << std::flush; };
+    result.progress = [](std::string_view stage, double) {
+      std::cerr << "\rquoin: " << stage << "\x1b[K" << std::flush;
+    };
   }
   return result;
 }
@@ -57,13 +62,20 @@ int run(const std::string& command, const Options& options) {
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
   int code = 0;
-  if (command == "csg") code = run_csg(options, context);
-  else if (command == "info") code = run_info(options, context);
-  else if (command == "check") code = run_check(options, context);
-  else if (command == "repair") code = run_repair(options, context);
-  else if (command == "convert") code = run_convert(options, context);
-  else if (command == "view") code = run_view(options, context);
-  else code = run_boolean(command, options, context);
+  if (command == "csg")
+    code = run_csg(options, context);
+  else if (command == "info")
+    code = run_info(options, context);
+  else if (command == "check")
+    code = run_check(options, context);
+  else if (command == "repair")
+    code = run_repair(options, context);
+  else if (command == "convert")
+    code = run_convert(options, context);
+  else if (command == "view")
+    code = run_view(options, context);
+  else
+    code = run_boolean(command, options, context);
   running = nullptr;
   return code;
 }
@@ -78,20 +90,36 @@ void add_commands(CLI::App& app, Options& options) {
                                    {"intersection", "the points in all of the solids"},
                                    {"difference", "the points of the first solid in none of the others"},
                                    {"xor", "the points in an odd number of the solids"}}) {
-    add(name, text, true)->add_option("files", options.inputs, "meshes that bound solids; '-' for standard input")->required();
+    add(name, text, true)
+        ->add_option("files", options.inputs, "meshes that bound solids; '-' for standard input")
+        ->required();
   }
   CLI::App* csg = add("csg", "any expression: quoin csg 'a - (b | c)' a=x.stl b=y.off c=z.ply -o result.stl", true);
-  csg->add_option("expression", options.expression, "| union, - difference, & intersection, ^ xor, ! complement, ( )")->required();
+  csg->add_option("expression", options.expression, "| union, - difference, & intersection, ^ xor, ! complement, ( )")
+      ->required();
   csg->add_option("operands", options.inputs, "NAME=FILE for each name")->required();
   add("info", "what a solid is: volume, area, counts, bounds", false)->add_option("files", options.inputs)->required();
-  add("check", "whether files bound valid solids, and what is wrong if not", false)->add_option("files", options.inputs)->required();
-  add("repair", "orientation, duplicate and degenerate faces, self-crossings", true)->add_option("file", options.inputs)->required()->expected(1);
-  add("convert", "one format to another, faces merged where coplanar", true)->add_option("file", options.inputs)->required()->expected(1);
-  add("view", "a page to look at a solid in the browser", true)->add_option("file", options.inputs)->required()->expected(1);
+  add("check", "whether files bound valid solids, and what is wrong if not", false)
+      ->add_option("files", options.inputs)
+      ->required();
+  add("repair", "orientation, duplicate and degenerate faces, self-crossings", true)
+      ->add_option("file", options.inputs)
+      ->required()
+      ->expected(1);
+  add("convert", "one format to another, faces merged where coplanar", true)
+      ->add_option("file", options.inputs)
+      ->required()
+      ->expected(1);
+  add("view", "a page to look at a solid in the browser", true)
+      ->add_option("file", options.inputs)
+      ->required()
+      ->expected(1);
 }
 
 int main_with_exceptions(int argc, char** argv) {
-  CLI::App app("Quoin: exact Booleans of solids.\n\nExit codes: 0 done, 1 refused with a reason, 2 usage, 3 file trouble, 4 cancelled or out of time.");
+  CLI::App app(
+      "Quoin: exact Booleans of solids.\n\nExit codes: 0 done, 1 refused with a reason, 2 usage, 3 file trouble, 4 "
+      "cancelled or out of time.");
   app.name("quoin");
   app.set_version_flag("--version", "quoin " QUOIN_VERSION);
   app.require_subcommand(1);
@@ -126,4 +154,6 @@ int guarded_main(int argc, char** argv) {
 }  // namespace
 }  // namespace quoin::cli
 
-int main(int argc, char** argv) { return quoin::cli::guarded_main(argc, argv); }
+int main(int argc, char** argv) {
+  return quoin::cli::guarded_main(argc, argv);
+}

@@ -10,16 +10,16 @@ namespace quoin::cli {
 
 /// What all commands understand.
 struct Options {
-  std::vector<std::string> inputs;      ///< files, or "-" for standard input
-  std::vector<std::string> outputs;     ///< files with a known ending, "-" for OFF on standard output
-  std::string expression;               ///< of `csg`
+  std::vector<std::string> inputs;   ///< files, or "-" for standard input
+  std::vector<std::string> outputs;  ///< files with a known ending, "-" for OFF on standard output
+  std::string expression;            ///< of `csg`
   bool json = false;
   bool quiet = false;
   bool verbose = false;
   bool accept_rounding = false;
   unsigned threads = 0;
   std::uint64_t seed = 0;
-  std::optional<double> timeout;        ///< seconds
+  std::optional<double> timeout;  ///< seconds
   std::optional<double> weld_tolerance;
 };
 

@@ -31,7 +31,8 @@ Target target_of(const std::string& name) {
   if (ending == ".html" || ending == ".htm") return {name, Kind::page};
   if (ending == ".qsolid") return {name, Kind::exact};
   const auto format = format_from_path(name);
-  if (!format) throw InputError(name + ": the ending tells no format that is written (off, obj, stl, ply, html, qsolid)");
+  if (!format)
+    throw InputError(name + ": the ending tells no format that is written (off, obj, stl, ply, html, qsolid)");
   return {name, Kind::mesh, *format};
 }
 
@@ -63,7 +64,8 @@ class OutputWriter {
 
   bool is_acceptable(const Triangulated& t, const std::string& name) {
     if (t.rounding != Rounding::failed) return true;
-    std::string note = name + ": rounding makes " + std::to_string(t.crossings.size()) + " or more pairs of triangles cross";
+    std::string note =
+        name + ": rounding makes " + std::to_string(t.crossings.size()) + " or more pairs of triangles cross";
     for (std::size_t i = 0; i < std::min<std::size_t>(t.crossings.size(), 4); ++i) {
       note += " " + std::to_string(t.crossings[i].a) + "/" + std::to_string(t.crossings[i].b);
     }
@@ -81,7 +83,8 @@ class OutputWriter {
       write_html(target.name);
       return;
     }
-    if (boundary_.is_unbounded) throw InputError(target.name + ": the solid is unbounded; only .html and .qsolid hold such");
+    if (boundary_.is_unbounded)
+      throw InputError(target.name + ": the solid is unbounded; only .html and .qsolid hold such");
     const Triangulated& t = triangles(is_single_precision(target.format) ? Precision::binary32 : Precision::binary64);
     if (!is_acceptable(t, target.name)) return;
     const Mesh mesh = to_mesh(boundary_, t, title_);
@@ -128,7 +131,8 @@ Mesh to_mesh(const Brep& boundary, const Triangulated& t, const std::string& nam
   return mesh;
 }
 
-OutputReport write_outputs(const Brep& boundary, const std::string& title, const Options& options, const Context& context) {
+OutputReport write_outputs(const Brep& boundary, const std::string& title, const Options& options,
+                           const Context& context) {
   return OutputWriter(boundary, title, options, context).run();
 }
 

@@ -16,13 +16,15 @@ struct OutputReport {
   Rounding rounding = Rounding::exact;  ///< the worst of all files
   double max_displacement = 0;
   unsigned rounds = 0;
-  bool written = true;                  ///< false: rounding failed and was not accepted
+  bool written = true;  ///< false: rounding failed and was not accepted
   std::vector<std::string> notes;
 };
 
-/// Writes the boundary to every output: meshes by their ending, .html as a page of the view, .qsolid exactly. Certified, unless
-/// options.accept_rounding. @throws FileError, InputError (unknown ending; an unbounded solid as a mesh)
-OutputReport write_outputs(const Brep& boundary, const std::string& title, const Options& options, const Context& context);
+/// Writes the boundary to every output: meshes by their ending, .html as a page of the view, .qsolid exactly.
+/// Certified, unless options.accept_rounding. @throws FileError, InputError (unknown ending; an unbounded solid as a
+/// mesh)
+OutputReport write_outputs(const Brep& boundary, const std::string& title, const Options& options,
+                           const Context& context);
 
 /// A triangulated boundary as a mesh.
 Mesh to_mesh(const Brep& boundary, const Triangulated& triangles, const std::string& name);

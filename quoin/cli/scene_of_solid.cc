@@ -41,7 +41,8 @@ std::vector<std::array<std::uint32_t, 2>> edges_between_faces(const Triangulated
       uses.push_back({std::min(p, q), std::max(p, q), t.triangle_face[i]});
     }
   }
-  std::sort(uses.begin(), uses.end(), [](const Use& x, const Use& y) { return std::tie(x.a, x.b, x.face) < std::tie(y.a, y.b, y.face); });
+  std::sort(uses.begin(), uses.end(),
+            [](const Use& x, const Use& y) { return std::tie(x.a, x.b, x.face) < std::tie(y.a, y.b, y.face); });
   std::vector<std::array<std::uint32_t, 2>> edges;
   for (std::size_t i = 0; i < uses.size();) {
     std::size_t j = i + 1;
@@ -54,7 +55,8 @@ std::vector<std::array<std::uint32_t, 2>> edges_between_faces(const Triangulated
 
 }  // namespace
 
-ViewScene scene_of_solid(const Brep& boundary, const Triangulated& triangles, const std::string& title, const Context& context) {
+ViewScene scene_of_solid(const Brep& boundary, const Triangulated& triangles, const std::string& title,
+                         const Context& context) {
   ViewScene scene;
   scene.title = title;
   scene.origins = boundary.leaf_names;

@@ -11,6 +11,7 @@
 namespace quoin::cli {
 
 /// What the view shows of a solid: its faces with planes and origins, edges between faces, and the summary.
-ViewScene scene_of_solid(const Brep& boundary, const Triangulated& triangles, const std::string& title, const Context& context);
+ViewScene scene_of_solid(const Brep& boundary, const Triangulated& triangles, const std::string& title,
+                         const Context& context);
 
 }  // namespace quoin::cli

@@ -34,7 +34,8 @@ nlohmann::ordered_json summarize(const Brep& boundary, const Context& context) {
   s["faces"] = counts.faces;
   s["triangles"] = triangle_count(boundary);
   s["shells"] = boundary.shells.size();
-  s["voids"] = std::count_if(boundary.shells.begin(), boundary.shells.end(), [](const Shell& shell) { return shell.is_void; });
+  s["voids"] =
+      std::count_if(boundary.shells.begin(), boundary.shells.end(), [](const Shell& shell) { return shell.is_void; });
   s["components"] = boundary.component_count;
   s["closed"] = counts.is_closed();
   s["manifold"] = counts.is_manifold();
@@ -61,7 +62,8 @@ std::string as_text(const nlohmann::ordered_json& summary) {
   for (const auto& [key, value] : summary.items()) {
     std::string name = key;
     std::replace(name.begin(), name.end(), '_', ' ');
-    text += name + std::string(name.size() < 22 ? 22 - name.size() : 1, ' ') + (value.is_string() ? value.get<std::string>() : value.dump()) + "\n";
+    text += name + std::string(name.size() < 22 ? 22 - name.size() : 1, ' ') +
+            (value.is_string() ? value.get<std::string>() : value.dump()) + "\n";
   }
   return text;
 }

@@ -8,8 +8,8 @@
 
 namespace quoin::cli {
 
-/// The summary of a solid: vertices, edges, faces, triangles, shells, voids, components, closed, manifold, volume, exact_volume (when
-/// short), area, bounds, origins. Keys are documented in docs/command.md and stable.
+/// The summary of a solid: vertices, edges, faces, triangles, shells, voids, components, closed, manifold, volume,
+/// exact_volume (when short), area, bounds, origins. Keys are documented in docs/command.md and stable.
 nlohmann::ordered_json summarize(const Brep& boundary, const Context& context);
 
 /// The same as lines for people.

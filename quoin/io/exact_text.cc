@@ -30,7 +30,8 @@ class ExactReader {
  private:
   void expect(std::string_view keyword, std::size_t words) {
     lines_.need("'" + std::string(keyword) + "'");
-    if (lines_.words()[0] != keyword || lines_.words().size() < words) lines_.fail("'" + std::string(keyword) + "' should stand here");
+    if (lines_.words()[0] != keyword || lines_.words().size() < words)
+      lines_.fail("'" + std::string(keyword) + "' should stand here");
   }
 
   std::size_t count(std::size_t word) const {
@@ -42,7 +43,8 @@ class ExactReader {
   std::uint32_t index(std::size_t word, std::size_t bound) const {
     if (word >= lines_.words().size()) lines_.fail("the line is too short");
     const std::int64_t value = lines_.integer(lines_.words()[word]);
-    if (value < 0 || static_cast<std::uint64_t>(value) >= bound) lines_.fail("index " + std::to_string(value) + " is out of range");
+    if (value < 0 || static_cast<std::uint64_t>(value) >= bound)
+      lines_.fail("index " + std::to_string(value) + " is out of range");
     return static_cast<std::uint32_t>(value);
   }
 
@@ -60,7 +62,8 @@ class ExactReader {
     for (std::size_t i = 0; i < names; ++i) {
       expect("input", 1);
       std::string name;
-      for (std::size_t w = 1; w < lines_.words().size(); ++w) name += (w > 1 ? " " : "") + std::string(lines_.words()[w]);
+      for (std::size_t w = 1; w < lines_.words().size(); ++w)
+        name += (w > 1 ? " " : "") + std::string(lines_.words()[w]);
       brep_.leaf_names.push_back(name);
     }
   }
@@ -104,7 +107,8 @@ class ExactReader {
       brep_.face_first_origin.push_back(static_cast<std::uint32_t>(brep_.origins.size()));
       for (std::size_t l = 0; l < loops; ++l) {
         expect("loop", 4);
-        for (std::size_t i = 1; i < lines_.words().size(); ++i) brep_.loop_vertices.push_back(PointId{index(i, points)});
+        for (std::size_t i = 1; i < lines_.words().size(); ++i)
+          brep_.loop_vertices.push_back(PointId{index(i, points)});
         brep_.loop_begin.push_back(static_cast<std::uint32_t>(brep_.loop_vertices.size()));
       }
       brep_.face_first_loop.push_back(static_cast<std::uint32_t>(brep_.loop_begin.size() - 1));
@@ -133,7 +137,8 @@ void write_exact_text(std::ostream& out, const Brep& b) {
   for (std::size_t f = 0; f < b.face_count(); ++f) {
     const auto& plane = b.face_planes[f];
     out << "face " << b.face_shells[f] << " " << plane[0].value << " " << plane[1].value << " " << plane[2].value << " "
-        << b.face_first_loop[f + 1] - b.face_first_loop[f] << " " << b.face_first_origin[f + 1] - b.face_first_origin[f];
+        << b.face_first_loop[f + 1] - b.face_first_loop[f] << " "
+        << b.face_first_origin[f + 1] - b.face_first_origin[f];
     for (std::uint32_t o = b.face_first_origin[f]; o < b.face_first_origin[f + 1]; ++o) {
       out << " " << b.origins[o].leaf << " " << b.origins[o].face;
     }
@@ -155,6 +160,8 @@ void write_exact_text(const std::filesystem::path& path, const Brep& boundary) {
   if (!out) throw FileError(path.string() + ": writing failed");
 }
 
-Brep read_exact_text(std::string_view text, const std::string& name) { return ExactReader(text, name).run(); }
+Brep read_exact_text(std::string_view text, const std::string& name) {
+  return ExactReader(text, name).run();
+}
 
 }  // namespace quoin

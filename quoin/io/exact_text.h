@@ -10,8 +10,8 @@
 
 namespace quoin {
 
-/// Writes a boundary exactly: every coordinate as a rational, every face with its plane and loops. Text, lines, described in
-/// docs/exact-text.md. @throws FileError
+/// Writes a boundary exactly: every coordinate as a rational, every face with its plane and loops. Text, lines,
+/// described in docs/exact-text.md. @throws FileError
 void write_exact_text(const std::filesystem::path& path, const Brep& boundary);
 void write_exact_text(std::ostream& out, const Brep& boundary);
 

@@ -18,7 +18,8 @@ namespace {
 
 std::string ending_of(const std::filesystem::path& path) {
   std::string ending = path.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return ending;
 }
 
@@ -36,13 +37,15 @@ MeshFile read_by_content(std::string_view bytes, const std::string& name, const 
   if (io::is_stl_binary(bytes)) return io::read_stl_binary(bytes, name, context);
   if (word.ends_with("OFF") && word.size() <= 7) return io::read_off(bytes, name, context);
   if (ending == ".stl") {
-    return word == "solid" || word == "facet" ? io::read_stl_text(bytes, name, context) : io::read_stl_binary(bytes, name, context);
+    return word == "solid" || word == "facet" ? io::read_stl_text(bytes, name, context)
+                                              : io::read_stl_binary(bytes, name, context);
   }
   if (ending == ".ply") throw InputError(name + ":1: 'ply' should stand here");
   if (ending == ".off") return io::read_off(bytes, name, context);
   if (ending == ".obj") return io::read_obj(bytes, name, context);
   if (word == "solid") return io::read_stl_text(bytes, name, context);
-  if (word == "v" || word == "#" || word == "o" || word == "g" || word == "mtllib") return io::read_obj(bytes, name, context);
+  if (word == "v" || word == "#" || word == "o" || word == "g" || word == "mtllib")
+    return io::read_obj(bytes, name, context);
   throw InputError(name + ": neither the content nor the ending tells a format that is read (OFF, OBJ, STL, PLY)");
 }
 
@@ -78,7 +81,8 @@ std::string read_file(const std::filesystem::path& path) {
   return bytes;
 }
 
-MeshFile read_mesh(std::string_view bytes, const std::string& name, const ReadOptions& options, const Context& context) {
+MeshFile read_mesh(std::string_view bytes, const std::string& name, const ReadOptions& options,
+                   const Context& context) {
   context.progress("reading", 0);
   MeshFile file = read_by_content(bytes, name, context);
   file.report.vertices_in_file = file.mesh.vertices.size();

@@ -16,11 +16,14 @@ namespace quoin {
 
 enum class MeshFormat { off, obj, stl_text, stl_binary, ply_text, ply_binary_little, ply_binary_big };
 
-/// The format that a file name's ending stands for (.off, .obj, .stl, .ply, in any case; binary where there is a choice), or nothing.
+/// The format that a file name's ending stands for (.off, .obj, .stl, .ply, in any case; binary where there is a
+/// choice), or nothing.
 std::optional<MeshFormat> format_from_path(const std::filesystem::path& path);
 
 /// Whether a format holds single-precision coordinates only.
-constexpr bool is_single_precision(MeshFormat format) { return format == MeshFormat::stl_binary; }
+constexpr bool is_single_precision(MeshFormat format) {
+  return format == MeshFormat::stl_binary;
+}
 
 /// Whether a format holds triangles only.
 constexpr bool is_triangles_only(MeshFormat format) {
@@ -28,16 +31,16 @@ constexpr bool is_triangles_only(MeshFormat format) {
 }
 
 struct ReadOptions {
-  bool weld = true;                       ///< one vertex for all of exactly equal coordinates
-  std::optional<double> weld_tolerance;   ///< also for those within this distance (chains of such are one vertex)
+  bool weld = true;                      ///< one vertex for all of exactly equal coordinates
+  std::optional<double> weld_tolerance;  ///< also for those within this distance (chains of such are one vertex)
 };
 
 struct ReadReport {
   MeshFormat format = MeshFormat::off;
   std::size_t vertices_in_file = 0;
-  std::size_t welded = 0;                 ///< vertices that became one with an earlier one
-  double weld_displacement = 0;           ///< largest move of a coordinate by a tolerance
-  std::vector<std::string> warnings;      ///< what the file holds and the mesh does not
+  std::size_t welded = 0;             ///< vertices that became one with an earlier one
+  double weld_displacement = 0;       ///< largest move of a coordinate by a tolerance
+  std::vector<std::string> warnings;  ///< what the file holds and the mesh does not
 };
 
 struct MeshFile {

@@ -24,22 +24,31 @@ std::string written(MeshFormat format, const Mesh& mesh) {
 
 const char* name_of(MeshFormat format) {
   switch (format) {
-    case MeshFormat::off: return "a.off";
-    case MeshFormat::obj: return "a.obj";
+    case MeshFormat::off:
+      return "a.off";
+    case MeshFormat::obj:
+      return "a.obj";
     case MeshFormat::stl_text:
-    case MeshFormat::stl_binary: return "a.stl";
-    default: return "a.ply";
+    case MeshFormat::stl_binary:
+      return "a.stl";
+    default:
+      return "a.ply";
   }
 }
 
-constexpr MeshFormat all_formats[] = {MeshFormat::off,      MeshFormat::obj,      MeshFormat::stl_text,         MeshFormat::stl_binary,
-                                      MeshFormat::ply_text, MeshFormat::ply_binary_little, MeshFormat::ply_binary_big};
+constexpr MeshFormat all_formats[] = {MeshFormat::off,           MeshFormat::obj,      MeshFormat::stl_text,
+                                      MeshFormat::stl_binary,    MeshFormat::ply_text, MeshFormat::ply_binary_little,
+                                      MeshFormat::ply_binary_big};
 
 // A tetrahedron with coordinates that need all digits, the smallest subnormal and the largest double.
 Mesh awkward() {
   Mesh mesh;
-  mesh.vertices = {{0.1, 1.0 / 3.0, 5e-324}, {-1e-300, 2, 3}, {1.7976931348623157e308, 0.30000000000000004, 1}, {7, -2.5e17, 123456789.123456789}};
-  for (const std::array<std::uint32_t, 3> f : {std::array<std::uint32_t, 3>{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}) mesh.add_face(f);
+  mesh.vertices = {{0.1, 1.0 / 3.0, 5e-324},
+                   {-1e-300, 2, 3},
+                   {1.7976931348623157e308, 0.30000000000000004, 1},
+                   {7, -2.5e17, 123456789.123456789}};
+  for (const std::array<std::uint32_t, 3> f : {std::array<std::uint32_t, 3>{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}})
+    mesh.add_face(f);
   return mesh;
 }
 
@@ -52,7 +61,8 @@ TEST(MeshFile, AwkwardDoublesComeBackBitForBit) {
     EXPECT_EQ(read.report.format, format);
     ASSERT_EQ(read.mesh.face_count(), mesh.face_count());
     for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-      for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(read.mesh.vertices[read.mesh.face(f)[k]], mesh.vertices[mesh.face(f)[k]]);
+      for (std::size_t k = 0; k < 3; ++k)
+        EXPECT_EQ(read.mesh.vertices[read.mesh.face(f)[k]], mesh.vertices[mesh.face(f)[k]]);
     }
   }
 }
@@ -81,7 +91,8 @@ TEST(MeshFile, SinglePrecisionIsReported) {
 TEST(MeshFile, ColorsSurvive) {
   Mesh mesh = shapes::cube();
   for (std::uint8_t f = 0; f < 6; ++f) mesh.face_colors.push_back({f, 100, 200, 255});
-  for (const MeshFormat format : {MeshFormat::off, MeshFormat::ply_text, MeshFormat::ply_binary_little, MeshFormat::ply_binary_big}) {
+  for (const MeshFormat format :
+       {MeshFormat::off, MeshFormat::ply_text, MeshFormat::ply_binary_little, MeshFormat::ply_binary_big}) {
     EXPECT_EQ(read_mesh(written(format, mesh), name_of(format), {}, context).mesh.face_colors, mesh.face_colors);
   }
 }
@@ -125,10 +136,17 @@ TEST(MeshFile, BadInputIsRefusedWithItsPlace) {
   expect_refused("v 0 0 0\nsurf 0 1\n", "a.obj", "a.obj:2");
   expect_refused("solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nendloop\n", "a.stl", "a.stl:6");
   expect_refused("solid x\nfacet normal 0 0 1\n", "a.stl", "a.stl:2");
-  expect_refused(written(MeshFormat::stl_binary, shapes::triangulated(shapes::cube())).substr(0, 300), "a.stl", "byte 300");
+  expect_refused(written(MeshFormat::stl_binary, shapes::triangulated(shapes::cube())).substr(0, 300), "a.stl",
+                 "byte 300");
   expect_refused(std::string(20, 'x'), "a.stl", "byte 20");
-  expect_refused("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n1 2\n", "a.ply", "a.ply:9");
-  expect_refused("ply\nformat ascii 1.0\nelement vertex 888888888888\nproperty float x\nproperty float y\nproperty float z\nend_header\n1 2 3\n", "a.ply", "a.ply:8");
+  expect_refused(
+      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n1 "
+      "2\n",
+      "a.ply", "a.ply:9");
+  expect_refused(
+      "ply\nformat ascii 1.0\nelement vertex 888888888888\nproperty float x\nproperty float y\nproperty float "
+      "z\nend_header\n1 2 3\n",
+      "a.ply", "a.ply:8");
   expect_refused("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n", "a.ply", "a.ply:5");
   expect_refused("ply\nformat strange 1.0\n", "a.ply", "a.ply:2");
   expect_refused("PK\3\4 something", "a.3mf", "a.3mf");
@@ -137,7 +155,8 @@ TEST(MeshFile, BadInputIsRefusedWithItsPlace) {
 TEST(MeshFile, FilesThatCannotBeOpened) {
   EXPECT_THROW(read_mesh(std::filesystem::path("/nonexistent/x.off"), {}, context), FileError);
   EXPECT_THROW(read_mesh(std::filesystem::temp_directory_path(), {}, context), FileError);
-  EXPECT_THROW(write_mesh(std::filesystem::path("/nonexistent/x.off"), MeshFormat::off, shapes::cube(), context), FileError);
+  EXPECT_THROW(write_mesh(std::filesystem::path("/nonexistent/x.off"), MeshFormat::off, shapes::cube(), context),
+               FileError);
 }
 
 TEST(MeshFile, UnicodeNames) {
@@ -148,7 +167,8 @@ TEST(MeshFile, UnicodeNames) {
 }
 
 TEST(MeshFile, NegativeIndicesContinuationsAndForms) {
-  const MeshFile file = read_mesh("v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf -3//1 \\\n -2//1 -1//1\n", "a.obj", {}, context);
+  const MeshFile file =
+      read_mesh("v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf -3//1 \\\n -2//1 -1//1\n", "a.obj", {}, context);
   ASSERT_EQ(file.mesh.face_count(), 1U);
   EXPECT_EQ(file.mesh.face(0)[2], 2U);
   ASSERT_EQ(file.report.warnings.size(), 1U);

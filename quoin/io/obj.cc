@@ -10,7 +10,8 @@ namespace {
 
 class ObjReader {
  public:
-  ObjReader(std::string_view bytes, const std::string& name, const Context& context) : lines_(bytes, name, '#'), context_(context) {
+  ObjReader(std::string_view bytes, const std::string& name, const Context& context)
+      : lines_(bytes, name, '#'), context_(context) {
     lines_.join_continued_lines();
     file_.report.format = MeshFormat::obj;
   }
@@ -41,7 +42,8 @@ class ObjReader {
       if (keyword == free_form) lines_.fail("free-form curves and surfaces are not read");
     }
     for (const char c : keyword) {
-      if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) > 0x7E) lines_.fail("this is not an OBJ file");
+      if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) > 0x7E)
+        lines_.fail("this is not an OBJ file");
     }
     if (skipped_.size() < 40) ++skipped_[std::string(keyword.substr(0, 20))];
   }

@@ -72,7 +72,8 @@ class OffReader {
     const auto& words = lines_.words();
     const std::int64_t corners = lines_.integer(words[0]);
     if (corners < 1 || static_cast<std::uint64_t>(corners) > words.size() - 1) {
-      lines_.fail("face " + std::to_string(f) + " names " + std::to_string(words.size() - 1) + " of " + std::to_string(corners) + " corners");
+      lines_.fail("face " + std::to_string(f) + " names " + std::to_string(words.size() - 1) + " of " +
+                  std::to_string(corners) + " corners");
     }
     Mesh& mesh = file_.mesh;
     for (std::int64_t k = 1; k <= corners; ++k) {
@@ -90,7 +91,8 @@ class OffReader {
   void read_color(const std::vector<std::string_view>& words) {
     Color color{200, 200, 200, 255};
     if (words.size() >= 3) {
-      const bool fractions = std::any_of(words.begin(), words.end(), [](std::string_view w) { return w.find('.') != std::string_view::npos; });
+      const bool fractions = std::any_of(words.begin(), words.end(),
+                                         [](std::string_view w) { return w.find('.') != std::string_view::npos; });
       const auto channel = [&](std::size_t k) {
         const double value = lines_.number(words[k]) * (fractions ? 255 : 1);
         return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));

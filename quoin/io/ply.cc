@@ -20,12 +20,11 @@ std::optional<Type> type_named(std::string_view name) {
     std::string_view text;
     Type type;
   };
-  static constexpr Name names[] = {{"char", Type::int8},     {"int8", Type::int8},       {"uchar", Type::uint8},
-                                   {"uint8", Type::uint8},   {"short", Type::int16},     {"int16", Type::int16},
-                                   {"ushort", Type::uint16}, {"uint16", Type::uint16},   {"int", Type::int32},
-                                   {"int32", Type::int32},   {"uint", Type::uint32},     {"uint32", Type::uint32},
-                                   {"float", Type::float32}, {"float32", Type::float32}, {"double", Type::float64},
-                                   {"float64", Type::float64}};
+  static constexpr Name names[] = {
+      {"char", Type::int8},     {"int8", Type::int8},       {"uchar", Type::uint8},    {"uint8", Type::uint8},
+      {"short", Type::int16},   {"int16", Type::int16},     {"ushort", Type::uint16},  {"uint16", Type::uint16},
+      {"int", Type::int32},     {"int32", Type::int32},     {"uint", Type::uint32},    {"uint32", Type::uint32},
+      {"float", Type::float32}, {"float32", Type::float32}, {"double", Type::float64}, {"float64", Type::float64}};
   const auto found = std::find_if(std::begin(names), std::end(names), [&](const Name& n) { return n.text == name; });
   return found == std::end(names) ? std::nullopt : std::optional(found->type);
 }
@@ -50,7 +49,7 @@ struct Element {
 struct Header {
   MeshFormat format = MeshFormat::ply_text;
   std::vector<Element> elements;
-  std::size_t size = 0;   // bytes
+  std::size_t size = 0;  // bytes
   std::size_t lines = 0;
 };
 
@@ -71,7 +70,8 @@ class Values {
 
  private:
   double next_word() {
-    while (position_ < body_.size() && std::strchr(" \t\r\n\v\f", body_[position_]) != nullptr && body_[position_] != '\0') {
+    while (position_ < body_.size() && std::strchr(" \t\r\n\v\f", body_[position_]) != nullptr &&
+           body_[position_] != '\0') {
       const bool pair = body_[position_] == '\r' && position_ + 1 < body_.size() && body_[position_ + 1] == '\n';
       if (body_[position_] == '\n' || (body_[position_] == '\r' && !pair)) ++line_;
       ++position_;
@@ -100,14 +100,30 @@ class Values {
     if (remaining() < size_of(type)) fail("the file ends within its elements");
     double value = 0;
     switch (type) {
-      case Type::int8: value = decode<std::int8_t>(); break;
-      case Type::uint8: value = decode<std::uint8_t>(); break;
-      case Type::int16: value = decode<std::int16_t>(); break;
-      case Type::uint16: value = decode<std::uint16_t>(); break;
-      case Type::int32: value = decode<std::int32_t>(); break;
-      case Type::uint32: value = decode<std::uint32_t>(); break;
-      case Type::float32: value = decode<float>(); break;
-      case Type::float64: value = decode<double>(); break;
+      case Type::int8:
+        value = decode<std::int8_t>();
+        break;
+      case Type::uint8:
+        value = decode<std::uint8_t>();
+        break;
+      case Type::int16:
+        value = decode<std::int16_t>();
+        break;
+      case Type::uint16:
+        value = decode<std::uint16_t>();
+        break;
+      case Type::int32:
+        value = decode<std::int32_t>();
+        break;
+      case Type::uint32:
+        value = decode<std::uint32_t>();
+        break;
+      case Type::float32:
+        value = decode<float>();
+        break;
+      case Type::float64:
+        value = decode<double>();
+        break;
     }
     position_ += size_of(type);
     return value;
@@ -123,7 +139,8 @@ class Values {
 
 class PlyReader {
  public:
-  PlyReader(std::string_view bytes, const std::string& name, const Context& context) : bytes_(bytes), name_(name), context_(context) {}
+  PlyReader(std::string_view bytes, const std::string& name, const Context& context)
+      : bytes_(bytes), name_(name), context_(context) {}
 
   MeshFile run() {
     read_header();
@@ -132,7 +149,8 @@ class PlyReader {
     for (const Element& element : header_.elements) {
       if (element.properties.empty()) continue;
       if (element.count > values.remaining()) {
-        values.fail("a count of " + std::to_string(element.count) + " " + element.name + " does not fit the file's size");
+        values.fail("a count of " + std::to_string(element.count) + " " + element.name +
+                    " does not fit the file's size");
       }
       if (element.name == "vertex") {
         read_vertices(element, values);
@@ -181,10 +199,14 @@ class PlyReader {
       if (words[0] == "end_header") break;
       if (words[0] == "format" && words.size() > 1) {
         has_format = true;
-        if (words[1] == "ascii") header_.format = MeshFormat::ply_text;
-        else if (words[1] == "binary_little_endian") header_.format = MeshFormat::ply_binary_little;
-        else if (words[1] == "binary_big_endian") header_.format = MeshFormat::ply_binary_big;
-        else fail_header("format '" + words[1].substr(0, 40) + "' is not known");
+        if (words[1] == "ascii")
+          header_.format = MeshFormat::ply_text;
+        else if (words[1] == "binary_little_endian")
+          header_.format = MeshFormat::ply_binary_little;
+        else if (words[1] == "binary_big_endian")
+          header_.format = MeshFormat::ply_binary_big;
+        else
+          fail_header("format '" + words[1].substr(0, 40) + "' is not known");
       } else if (words[0] == "element" && words.size() == 3) {
         header_.elements.push_back({words[1], count(words[2]), {}});
       } else if (words[0] == "property" && !header_.elements.empty()) {
@@ -211,7 +233,8 @@ class PlyReader {
     if (words.size() == 5 && words[1] == "list") {
       const auto count_type = type_named(words[2]);
       const auto type = type_named(words[3]);
-      if (count_type && type && *count_type != Type::float32 && *count_type != Type::float64) return {words[4], *type, count_type};
+      if (count_type && type && *count_type != Type::float32 && *count_type != Type::float64)
+        return {words[4], *type, count_type};
     }
     fail_header("this property is not understood");
   }
@@ -224,7 +247,8 @@ class PlyReader {
       std::size_t length = 1;
       if (property.count_type) {
         const double announced = values.next(*property.count_type);
-        if (announced < 0 || announced > static_cast<double>(values.remaining()) || announced != std::floor(announced)) {
+        if (announced < 0 || announced > static_cast<double>(values.remaining()) ||
+            announced != std::floor(announced)) {
           values.fail("a list of " + std::to_string(announced) + " values does not fit the file's size");
         }
         length = static_cast<std::size_t>(announced);
@@ -249,7 +273,8 @@ class PlyReader {
       read_one(element, values, [&](std::size_t p, std::size_t, double value) {
         for (std::size_t k = 0; k < 3; ++k) {
           if (p != place[k]) continue;
-          if (!std::isfinite(value)) values.fail("vertex " + std::to_string(i) + " has a coordinate that is not finite");
+          if (!std::isfinite(value))
+            values.fail("vertex " + std::to_string(i) + " has a coordinate that is not finite");
           point[k] = value;
         }
       });

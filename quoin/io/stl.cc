@@ -13,7 +13,9 @@ constexpr std::size_t header_size = 84;
 constexpr std::size_t triangle_size = 50;
 
 std::uint32_t little_endian(std::string_view bytes, std::size_t at) {
-  const auto byte = [&](std::size_t k) { return static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[at + k])); };
+  const auto byte = [&](std::size_t k) {
+    return static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[at + k]));
+  };
   return byte(0) | byte(1) << 8 | byte(2) << 16 | byte(3) << 24;
 }
 
@@ -35,12 +37,14 @@ void expect_words(TextLines& lines, std::string_view first, std::string_view sec
 }  // namespace
 
 bool is_stl_binary(std::string_view bytes) {
-  return bytes.size() >= header_size && bytes.size() == header_size + triangle_size * std::uint64_t{little_endian(bytes, 80)};
+  return bytes.size() >= header_size &&
+         bytes.size() == header_size + triangle_size * std::uint64_t{little_endian(bytes, 80)};
 }
 
 MeshFile read_stl_binary(std::string_view bytes, const std::string& name, const Context& context) {
   if (bytes.size() < header_size) {
-    throw InputError(name + ": byte " + std::to_string(bytes.size()) + ": the file ends within the header of a binary STL");
+    throw InputError(name + ": byte " + std::to_string(bytes.size()) +
+                     ": the file ends within the header of a binary STL");
   }
   const std::uint64_t count = little_endian(bytes, 80);
   const std::uint64_t held = (bytes.size() - header_size) / triangle_size;
@@ -51,7 +55,8 @@ MeshFile read_stl_binary(std::string_view bytes, const std::string& name, const 
   MeshFile file;
   file.report.format = MeshFormat::stl_binary;
   if (bytes.size() != header_size + count * triangle_size) {
-    file.report.warnings.push_back(std::to_string(bytes.size() - header_size - count * triangle_size) + " bytes behind the last triangle are not kept");
+    file.report.warnings.push_back(std::to_string(bytes.size() - header_size - count * triangle_size) +
+                                   " bytes behind the last triangle are not kept");
   }
   Mesh& mesh = file.mesh;
   mesh.vertices.resize(3 * count);
@@ -67,7 +72,8 @@ MeshFile read_stl_binary(std::string_view bytes, const std::string& name, const 
         const std::size_t offset = at + 12 + 12 * k + 4 * axis;
         const float value = float_at(bytes, offset);
         if (!std::isfinite(value)) {
-          throw InputError(name + ": byte " + std::to_string(offset) + ": triangle " + std::to_string(t) + " has a coordinate that is not finite");
+          throw InputError(name + ": byte " + std::to_string(offset) + ": triangle " + std::to_string(t) +
+                           " has a coordinate that is not finite");
         }
         p[axis] = static_cast<double>(value) + 0.0;
       }
@@ -105,7 +111,8 @@ MeshFile read_stl_text(std::string_view bytes, const std::string& name, const Co
       expect_words(lines, "vertex", "");
       if (lines.words().size() < 4) lines.fail("a vertex has fewer than three coordinates");
       mesh.corners.push_back(static_cast<std::uint32_t>(mesh.vertices.size()));
-      mesh.vertices.push_back({lines.number(lines.words()[1]), lines.number(lines.words()[2]), lines.number(lines.words()[3])});
+      mesh.vertices.push_back(
+          {lines.number(lines.words()[1]), lines.number(lines.words()[2]), lines.number(lines.words()[3])});
     }
     mesh.face_begin.push_back(mesh.corners.size());
     expect_words(lines, "endloop", "");

@@ -8,7 +8,9 @@ namespace quoin::io {
 
 namespace {
 
-std::string quoted(std::string_view word) { return "'" + std::string(word.substr(0, 40)) + "'"; }
+std::string quoted(std::string_view word) {
+  return "'" + std::string(word.substr(0, 40)) + "'";
+}
 
 }  // namespace
 

@@ -13,7 +13,8 @@ namespace quoin::io {
 /// Lines of a text, ended by \n, \r\n or \r, split into words; comments start with a given character.
 class TextLines {
  public:
-  TextLines(std::string_view text, std::string name, char comment) : text_(text), name_(std::move(name)), comment_(comment) {
+  TextLines(std::string_view text, std::string name, char comment)
+      : text_(text), name_(std::move(name)), comment_(comment) {
     if (text_.starts_with("\xEF\xBB\xBF")) text_.remove_prefix(3);
   }
 

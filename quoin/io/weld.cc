@@ -85,7 +85,8 @@ class ToleranceWelder {
           const auto found = cells_.find({x, y, z});
           if (found == cells_.end()) continue;
           for (const std::uint32_t w : found->second) {
-            if (std::hypot(points_[v].x - points_[w].x, points_[v].y - points_[w].y, points_[v].z - points_[w].z) <= tolerance_) {
+            if (std::hypot(points_[v].x - points_[w].x, points_[v].y - points_[w].y, points_[v].z - points_[w].z) <=
+                tolerance_) {
               join(v, w);
             }
           }

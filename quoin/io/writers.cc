@@ -109,7 +109,8 @@ Point3 normal_of(const Mesh& mesh, std::size_t f) {
 void require_triangles(const Mesh& mesh) {
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
     if (mesh.face(f).size() != 3) {
-      throw InputError("face " + std::to_string(f) + " has " + std::to_string(mesh.face(f).size()) + " corners; STL holds triangles only");
+      throw InputError("face " + std::to_string(f) + " has " + std::to_string(mesh.face(f).size()) +
+                       " corners; STL holds triangles only");
     }
   }
 }
@@ -130,7 +131,9 @@ void write_stl_binary(Writer& out, const Mesh& mesh) {
   header.resize(80, ' ');
   out.text(header).binary(static_cast<std::uint32_t>(mesh.face_count()));
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    const auto put = [&](const Point3& p) { out.binary(static_cast<float>(p.x)).binary(static_cast<float>(p.y)).binary(static_cast<float>(p.z)); };
+    const auto put = [&](const Point3& p) {
+      out.binary(static_cast<float>(p.x)).binary(static_cast<float>(p.y)).binary(static_cast<float>(p.z));
+    };
     put(normal_of(mesh, f));
     for (const std::uint32_t v : mesh.face(f)) put(mesh.vertices[v]);
     out.binary(std::uint16_t{0});
@@ -195,10 +198,18 @@ WriteReport write_mesh(std::ostream& stream, MeshFormat format, const Mesh& mesh
   {
     Writer out(stream, context);
     switch (format) {
-      case MeshFormat::off: write_off(out, mesh); break;
-      case MeshFormat::obj: write_obj(out, mesh); break;
-      case MeshFormat::stl_text: write_stl_text(out, mesh); break;
-      case MeshFormat::stl_binary: write_stl_binary(out, mesh); break;
+      case MeshFormat::off:
+        write_off(out, mesh);
+        break;
+      case MeshFormat::obj:
+        write_obj(out, mesh);
+        break;
+      case MeshFormat::stl_text:
+        write_stl_text(out, mesh);
+        break;
+      case MeshFormat::stl_binary:
+        write_stl_binary(out, mesh);
+        break;
       case MeshFormat::ply_text:
         write_ply_header(out, format, mesh);
         write_ply_text(out, mesh);

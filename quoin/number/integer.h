@@ -18,7 +18,7 @@ namespace quoin {
 class Integer {
  public:
   Integer() noexcept { mpz_init(value_); }
-  Integer(std::int64_t value) { mpz_init_set_si(value_, value); }  // NOLINT(google-explicit-constructor)
+  Integer(std::int64_t value) { mpz_init_set_si(value_, value); }    // NOLINT(google-explicit-constructor)
   Integer(int value) : Integer(static_cast<std::int64_t>(value)) {}  // NOLINT(google-explicit-constructor)
   /// A finite double without fraction; the fraction of others is cut off.
   explicit Integer(double value) { mpz_init_set_d(value_, value); }
@@ -67,7 +67,9 @@ class Integer {
   }
 
   friend bool operator==(const Integer& a, const Integer& b) { return mpz_cmp(a.value_, b.value_) == 0; }
-  friend std::strong_ordering operator<=>(const Integer& a, const Integer& b) { return mpz_cmp(a.value_, b.value_) <=> 0; }
+  friend std::strong_ordering operator<=>(const Integer& a, const Integer& b) {
+    return mpz_cmp(a.value_, b.value_) <=> 0;
+  }
 
   mpz_srcptr raw() const { return value_; }
   mpz_ptr raw() { return value_; }

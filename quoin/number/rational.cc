@@ -19,7 +19,8 @@ Rational Rational::parse(std::string_view text) {
   const std::size_t slash = text.find('/');
   if (slash == std::string_view::npos) return Rational(Integer::parse(text));
   const Integer denominator = Integer::parse(text.substr(slash + 1));
-  if (denominator.sign() == Sign::zero) throw InputError("a denominator is zero: '" + std::string(text.substr(0, 60)) + "'");
+  if (denominator.sign() == Sign::zero)
+    throw InputError("a denominator is zero: '" + std::string(text.substr(0, 60)) + "'");
   return {Integer::parse(text.substr(0, slash)), denominator};
 }
 
@@ -46,7 +47,8 @@ double Rational::to_double() const {
   Integer p = abs(numerator());
   Integer q = denominator();
   // Scale so that the quotient has the bits a double of its size has: 53, or fewer for subnormals.
-  const auto size = static_cast<long>(p.bit_length()) - static_cast<long>(q.bit_length());  // 2^(size-1) < p/q < 2^(size+1)
+  const auto size =
+      static_cast<long>(p.bit_length()) - static_cast<long>(q.bit_length());  // 2^(size-1) < p/q < 2^(size+1)
   long exponent = std::max(size - 54, -1074L);
   if (exponent >= 0) {
     q <<= static_cast<std::size_t>(exponent);

@@ -22,7 +22,9 @@ class Rational {
   Rational(int value) : Rational(static_cast<std::int64_t>(value)) {}          // NOLINT(google-explicit-constructor)
   /// Exact; the value must be finite.
   Rational(double value) : Rational() { mpq_set_d(value_, value); }  // NOLINT(google-explicit-constructor)
-  Rational(const Integer& value) : Rational() { mpq_set_z(value_, value.raw()); }  // NOLINT(google-explicit-constructor)
+  Rational(const Integer& value) : Rational() {
+    mpq_set_z(value_, value.raw());
+  }  // NOLINT(google-explicit-constructor)
   /// The denominator must not be zero.
   Rational(const Integer& numerator, const Integer& denominator);
   Rational(const Rational& other) : Rational() { mpq_set(value_, other.value_); }
@@ -68,7 +70,9 @@ class Rational {
   }
 
   friend bool operator==(const Rational& a, const Rational& b) { return mpq_equal(a.value_, b.value_) != 0; }
-  friend std::strong_ordering operator<=>(const Rational& a, const Rational& b) { return mpq_cmp(a.value_, b.value_) <=> 0; }
+  friend std::strong_ordering operator<=>(const Rational& a, const Rational& b) {
+    return mpq_cmp(a.value_, b.value_) <=> 0;
+  }
 
   mpq_srcptr raw() const { return value_; }
   mpq_ptr raw() { return value_; }

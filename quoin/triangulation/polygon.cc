@@ -28,7 +28,8 @@ bool triangulate_four(std::span<const Point2> points, std::span<const std::uint3
   const bool first = turns_left(0, 1, 2) && turns_left(0, 2, 3);
   const bool second = turns_left(1, 2, 3) && turns_left(1, 3, 0);
   if (!first && !second) return false;
-  const bool first_is_shorter = squared_distance(points[loop[0]], points[loop[2]]) <= squared_distance(points[loop[1]], points[loop[3]]);
+  const bool first_is_shorter =
+      squared_distance(points[loop[0]], points[loop[2]]) <= squared_distance(points[loop[1]], points[loop[3]]);
   if (first && (!second || first_is_shorter)) {
     triangles.push_back({loop[0], loop[1], loop[2]});
     triangles.push_back({loop[0], loop[2], loop[3]});

@@ -17,13 +17,13 @@ using PolygonTriangle = std::array<std::uint32_t, 3>;
 /// Triangulates a polygon with holes, exactly.
 ///
 /// `loops` are index chains into `points`: the polygon's interior is on the left of every loop edge (outer loops
-/// counterclockwise, holes clockwise), in any order, several outer loops allowed. Loops may touch each other and themselves in vertices (a
-/// vertex index may occur more than once), and collinear vertices are kept: every loop edge is an edge of the result, no triangle
-/// has zero area, no vertex is added.
+/// counterclockwise, holes clockwise), in any order, several outer loops allowed. Loops may touch each other and
+/// themselves in vertices (a vertex index may occur more than once), and collinear vertices are kept: every loop edge
+/// is an edge of the result, no triangle has zero area, no vertex is added.
 ///
-/// Returns nothing when the loops do not bound such a polygon: edges cross or overlap, a vertex lies inside another edge, two indices lie
-/// on one spot, or the orientation is wrong. Exact for all finite doubles, no tolerance. Triangles and quadrilaterals
-/// take a direct path without allocation beyond the result; otherwise O(n log n).
+/// Returns nothing when the loops do not bound such a polygon: edges cross or overlap, a vertex lies inside another
+/// edge, two indices lie on one spot, or the orientation is wrong. Exact for all finite doubles, no tolerance.
+/// Triangles and quadrilaterals take a direct path without allocation beyond the result; otherwise O(n log n).
 std::optional<std::vector<PolygonTriangle>> triangulate_polygon(std::span<const Point2> points,
                                                                 std::span<const std::vector<std::uint32_t>> loops);
 

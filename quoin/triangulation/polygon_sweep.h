@@ -14,10 +14,11 @@ namespace quoin {
 
 /// Triangulates one polygon in a sweep from left to right (Hertel and Mehlhorn 1983).
 ///
-/// Between a lower and an upper edge lies a gap, an open part of the interior, bounded on the left by a chain of vertices that
-/// nowhere bends towards the part still to come. Each vertex is joined to the chain vertices that it sees, which cuts off
-/// triangles. Any number of edges may end and begin at a vertex, so touching loops are ordinary. Vertices are named by
-/// their rank in sweep order. Edges are checked for crossings when they become neighbours (Shamos and Hoey 1976).
+/// Between a lower and an upper edge lies a gap, an open part of the interior, bounded on the left by a chain of
+/// vertices that nowhere bends towards the part still to come. Each vertex is joined to the chain vertices that it
+/// sees, which cuts off triangles. Any number of edges may end and begin at a vertex, so touching loops are ordinary.
+/// Vertices are named by their rank in sweep order. Edges are checked for crossings when they become neighbours (Shamos
+/// and Hoey 1976).
 class PolygonSweep {
  public:
   PolygonSweep(std::span<const Point2> points, std::span<const std::uint32_t> loop_points,
@@ -87,9 +88,9 @@ class PolygonSweep {
   Status status_;
   std::vector<std::uint32_t> vertices_;  // by rank
   std::vector<Edge> edges_;
-  std::vector<std::uint32_t> by_left_;   // edges by left end
-  std::vector<std::uint32_t> ending_;    // per vertex: how many edges end there
-  std::vector<Gap> gaps_;                // per edge with the interior above it
+  std::vector<std::uint32_t> by_left_;  // edges by left end
+  std::vector<std::uint32_t> ending_;   // per vertex: how many edges end there
+  std::vector<Gap> gaps_;               // per edge with the interior above it
   std::vector<Link> links_;
 };
 
