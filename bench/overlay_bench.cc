@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Times one Boolean of OFF files from polygon arrays in memory to certified triangles in memory.
+//
+//   overlay_bench union|difference THREADS REPEATS FILE...
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <vector>
+
+#include "quoin/io/mesh_file.h"
+#include "quoin/solid/exit.h"
+#include "quoin/solid/measure.h"
+#include "quoin/solid/solid.h"
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+struct Timings {
+  double door = 0;
+  double overlay = 0;
+  double exit = 0;
+  double all() const { return door + overlay + exit; }
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using namespace quoin;
+  if (argc < 5) {
+    std::fprintf(stderr, "overlay_bench union|difference THREADS REPEATS FILE...\n");
+    return 2;
+  }
+  ContextOptions options;
+  options.threads = static_cast<unsigned>(std::atoi(argv[2]));
+  const Context context(options);
+  std::vector<Mesh> meshes;
+  for (int i = 4; i < argc; ++i) meshes.push_back(read_mesh(std::filesystem::path(argv[i]), {}, context).mesh);
+  std::vector<Timings> runs;
+  double volume = 0;
+  std::size_t triangles = 0;
+  Rounding rounding = Rounding::exact;
+  for (int repeat = 0; repeat < std::atoi(argv[3]); ++repeat) {
+    Timings timings;
+    auto start = Clock::now();
+    std::vector<Solid> solids;
+    for (const Mesh& mesh : meshes) solids.push_back(Solid::of_leaf(make_leaf(mesh, {}, context).leaf));
+    timings.door = seconds_since(start);
+    start = Clock::now();
+    const Solid result = std::strcmp(argv[1], "union") == 0
+                             ? unite(solids, context)
+                             : subtract(solids[0], std::span(solids).subspan(1), context);
+    timings.overlay = seconds_since(start);
+    start = Clock::now();
+    const Triangulated t = triangulate_boundary(result.boundary(), {}, context);
+    timings.exit = seconds_since(start);
+    runs.push_back(timings);
+    rounding = t.rounding;
+    triangles = t.triangles.size();
+    if (repeat == 0) volume = rounded_volume(result.boundary(), context);
+  }
+  std::sort(runs.begin(), runs.end(), [](const Timings& a, const Timings& b) { return a.all() < b.all(); });
+  const Timings& median = runs[runs.size() / 2];
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  std::printf(
+      "{\"seconds\": %.6f, \"door\": %.6f, \"overlay\": %.6f, \"exit\": %.6f, \"volume\": %.17g, \"triangles\": %zu, "
+      "\"rounding\": %d, \"peak_kb\": %ld}\n",
+      median.all(), median.door, median.overlay, median.exit, volume, triangles, static_cast<int>(rounding),
+      usage.ru_maxrss);
+  return 0;
+}
