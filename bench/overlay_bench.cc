@@ -12,6 +12,7 @@
 #include <cstring>
 #include <vector>
 
+#include "quoin/base/parallel.h"
 #include "quoin/io/mesh_file.h"
 #include "quoin/solid/exit.h"
 #include "quoin/solid/measure.h"
@@ -52,8 +53,10 @@ int main(int argc, char** argv) {
   for (int repeat = 0; repeat < std::atoi(argv[3]); ++repeat) {
     Timings timings;
     auto start = Clock::now();
-    std::vector<Solid> solids;
-    for (const Mesh& mesh : meshes) solids.push_back(Solid::of_leaf(make_leaf(mesh, {}, context).leaf));
+    std::vector<Solid> solids(meshes.size());
+    for_each_chunk(context, meshes.size(), 1, [&](const Chunk& chunk) {
+      solids[chunk.index] = Solid::of_leaf(make_leaf(meshes[chunk.index], {}, context).leaf);
+    });
     timings.door = seconds_since(start);
     start = Clock::now();
     const Solid result = std::strcmp(argv[1], "union") == 0

@@ -8,6 +8,7 @@
 #include "quoin/solid/overlay/contacts.h"
 #include "quoin/solid/overlay/disjoint_sets.h"
 #include "quoin/solid/overlay/winding.h"
+#include "quoin/solid/star_certificate.h"
 
 namespace quoin {
 
@@ -16,23 +17,23 @@ namespace {
 // Whether tiles meet outside what they share, by the orientations that also place contacts in the overlay.
 class SelfCrossings {
  public:
-  SelfCrossings(const Leaf& leaf, const Constructions& points) : leaf_(leaf), points_(points) {}
+  SelfCrossings(const Leaf& leaf, const Constructions& points, const Context& context)
+      : leaf_(leaf), points_(points), certified_(certify_stars(leaf, context)) {}
 
   bool meet(const TilePair& pair) const {
     const Tile& s = leaf_.tiles[pair.a];
     const Tile& t = leaf_.tiles[pair.b];
     std::size_t shared = 0;
+    bool is_certified = false;
     std::array<bool, 3> is_shared{};
     for (std::size_t j = 0; j < 3; ++j) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        if (s[i] == t[j]) {
-          is_shared[j] = true;
-          ++shared;
-        } else if (leaf_.vertices[s[i]] == leaf_.vertices[t[j]]) {
-          return true;  // one spot, two vertices
-        }
-      }
+      if (t[j] != s[0] && t[j] != s[1] && t[j] != s[2]) continue;
+      is_shared[j] = true;
+      is_certified = is_certified || certified_[t[j]] != 0;
+      ++shared;
     }
+    if (is_certified) return false;
+    if (have_equal_corners(s, t)) return true;  // one spot, two vertices
     if (shared == 3) return true;
     Sign first = Sign::zero;
     bool one_side = true;
@@ -49,6 +50,15 @@ class SelfCrossings {
   }
 
  private:
+  bool have_equal_corners(const Tile& s, const Tile& t) const {
+    for (const std::uint32_t p : s) {
+      for (const std::uint32_t q : t) {
+        if (p != q && leaf_.vertices[p] == leaf_.vertices[q]) return true;
+      }
+    }
+    return false;
+  }
+
   bool meet_generally(const Tile& s, const Tile& t) const {
     const std::array<PointId, 3> a{PointId{s[0]}, PointId{s[1]}, PointId{s[2]}};
     const std::array<PointId, 3> b{PointId{t[0]}, PointId{t[1]}, PointId{t[2]}};
@@ -57,6 +67,7 @@ class SelfCrossings {
 
   const Leaf& leaf_;
   const Constructions& points_;
+  std::vector<std::uint8_t> certified_;  // per vertex
 };
 
 }  // namespace
@@ -65,7 +76,7 @@ void find_self_crossings(Leaf& leaf, const Constructions& points, std::size_t ma
                          const Context& context) {
   context.progress("self-crossings", 0);
   const std::vector<TilePair> pairs = leaf.tree.self_pairs(context);
-  const SelfCrossings crossings(leaf, points);
+  const SelfCrossings crossings(leaf, points, context);
   constexpr std::size_t grain = 4096;
   std::vector<std::vector<FacePair>> found(chunk_count(pairs.size(), grain));
   for_each_chunk(context, pairs.size(), grain, [&](const Chunk& chunk) {
