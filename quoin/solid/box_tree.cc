@@ -197,7 +197,8 @@ void BoxTree::report(const BoxTree& a, const BoxTree& b, bool is_self, NodePair 
 
 // Opens node pairs breadth first into tasks, whose number depends on the trees alone, and lets each task descend depth
 // first.
-std::vector<TilePair> BoxTree::descend(const BoxTree& a, const BoxTree& b, bool is_self, const Context& context) {
+std::vector<TilePair> BoxTree::descend(const BoxTree& a, const BoxTree& b, bool is_self,
+                                       const std::function<bool(const TilePair&)>* keep, const Context& context) {
   std::vector<TilePair> result;
   if (a.nodes_.empty() || b.nodes_.empty() || !meet(a.nodes_[0].box, b.nodes_[0].box)) return result;
   const auto is_final = [&](NodePair p) { return a.nodes_[p.a].count != 0 && b.nodes_[p.b].count != 0; };
@@ -223,7 +224,13 @@ std::vector<TilePair> BoxTree::descend(const BoxTree& a, const BoxTree& b, bool 
       const NodePair pair = stack.back();
       stack.pop_back();
       if (is_final(pair)) {
-        report(a, b, is_self, pair, found[chunk.index]);
+        std::vector<TilePair>& out = found[chunk.index];
+        const std::size_t before = out.size();
+        report(a, b, is_self, pair, out);
+        if (keep != nullptr) {
+          const auto first = out.begin() + static_cast<std::ptrdiff_t>(before);
+          out.erase(std::remove_if(first, out.end(), [&](const TilePair& p) { return !(*keep)(p); }), out.end());
+        }
       } else {
         expand(a, b, is_self, pair, stack);
       }
@@ -237,11 +244,16 @@ std::vector<TilePair> BoxTree::descend(const BoxTree& a, const BoxTree& b, bool 
 }
 
 std::vector<TilePair> BoxTree::pairs(const BoxTree& a, const BoxTree& b, const Context& context) {
-  return descend(a, b, false, context);
+  return descend(a, b, false, nullptr, context);
 }
 
 std::vector<TilePair> BoxTree::self_pairs(const Context& context) const {
-  return descend(*this, *this, true, context);
+  return descend(*this, *this, true, nullptr, context);
+}
+
+std::vector<TilePair> BoxTree::self_pairs(const std::function<bool(const TilePair&)>& keep,
+                                          const Context& context) const {
+  return descend(*this, *this, true, &keep, context);
 }
 
 template <class Accept>

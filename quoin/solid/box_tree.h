@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -44,6 +45,8 @@ class BoxTree {
   static std::vector<TilePair> pairs(const BoxTree& a, const BoxTree& b, const Context& context);
   /// All pairs a < b of tiles of this tree whose boxes meet, also those that share vertices.
   std::vector<TilePair> self_pairs(const Context& context) const;
+  /// The same, keeping only the pairs that `keep` accepts; it is called from several threads.
+  std::vector<TilePair> self_pairs(const std::function<bool(const TilePair&)>& keep, const Context& context) const;
   /// Appends the tiles whose box meets the lines parallel to the axis through the box [lo, hi] of the other two
   /// coordinates
   /// ((axis+1)%3, (axis+2)%3).
@@ -66,7 +69,8 @@ class BoxTree {
   };
 
   std::uint32_t build(std::span<const std::uint32_t> keys, std::uint32_t begin, std::uint32_t end);
-  static std::vector<TilePair> descend(const BoxTree& a, const BoxTree& b, bool is_self, const Context& context);
+  static std::vector<TilePair> descend(const BoxTree& a, const BoxTree& b, bool is_self,
+                                       const std::function<bool(const TilePair&)>* keep, const Context& context);
   static void expand(const BoxTree& a, const BoxTree& b, bool is_self, NodePair pair, std::vector<NodePair>& out);
   static void report(const BoxTree& a, const BoxTree& b, bool is_self, NodePair pair, std::vector<TilePair>& out);
   template <class Accept>

@@ -20,19 +20,25 @@ class SelfCrossings {
   SelfCrossings(const Leaf& leaf, const Constructions& points, const Context& context)
       : leaf_(leaf), points_(points), certified_(certify_stars(leaf, context)) {}
 
+  // False where a shared vertex is certified.
+  bool may_meet(const TilePair& pair) const {
+    const Tile& s = leaf_.tiles[pair.a];
+    for (const std::uint32_t v : leaf_.tiles[pair.b]) {
+      if ((v == s[0] || v == s[1] || v == s[2]) && certified_[v] != 0) return false;
+    }
+    return true;
+  }
+
   bool meet(const TilePair& pair) const {
     const Tile& s = leaf_.tiles[pair.a];
     const Tile& t = leaf_.tiles[pair.b];
     std::size_t shared = 0;
-    bool is_certified = false;
     std::array<bool, 3> is_shared{};
     for (std::size_t j = 0; j < 3; ++j) {
       if (t[j] != s[0] && t[j] != s[1] && t[j] != s[2]) continue;
       is_shared[j] = true;
-      is_certified = is_certified || certified_[t[j]] != 0;
       ++shared;
     }
-    if (is_certified) return false;
     if (have_equal_corners(s, t)) return true;  // one spot, two vertices
     if (shared == 3) return true;
     Sign first = Sign::zero;
@@ -75,8 +81,9 @@ class SelfCrossings {
 void find_self_crossings(Leaf& leaf, const Constructions& points, std::size_t max_listed, MeshDiagnosis& diagnosis,
                          const Context& context) {
   context.progress("self-crossings", 0);
-  const std::vector<TilePair> pairs = leaf.tree.self_pairs(context);
   const SelfCrossings crossings(leaf, points, context);
+  const std::vector<TilePair> pairs =
+      leaf.tree.self_pairs([&](const TilePair& pair) { return crossings.may_meet(pair); }, context);
   constexpr std::size_t grain = 4096;
   std::vector<std::vector<FacePair>> found(chunk_count(pairs.size(), grain));
   for_each_chunk(context, pairs.size(), grain, [&](const Chunk& chunk) {
