@@ -19,9 +19,10 @@ uniform int highlightFace;
 uniform int hoverFace;
 uniform int highlightOrigin;
 uniform int firstTriangle;
-flat out uint vColor;              // packed
-flat out int vMark;                // 1: picked, 2: hovered, 4: dimmed
-out vec2 vCorner;
+out vec4 vColor;
+out vec3 vMark;                    // picked, hovered, dimmed
+out vec3 vCorner;
+out vec3 vView;
 out vec3 vPlace;
 out vec4 vId;
 ${tables}
@@ -31,14 +32,15 @@ void main() {
   int face = int(texelFetch(triangleFaces, entry(triangle), 0).r);
   uvec4 info = texelFetch(faceTable, entry(face), 0);
   vec3 place = position + explode * texelFetch(pieceOffsets, entry(int(info.b)), 0).xyz;
-  vColor = info.r;
-  vMark = int(face == highlightFace) | int(face == hoverFace) << 1;
-  if (highlightOrigin >= 0 && int(info.g) != highlightOrigin) vMark |= 4;
-  vCorner = vec2(corner == 0, corner == 1);
+  vColor = vec4(info.r & 255u, info.r >> 8 & 255u, info.r >> 16 & 255u, info.r >> 24) / 255.0;
+  vMark = vec3(face == highlightFace, face == hoverFace, highlightOrigin >= 0 && int(info.g) != highlightOrigin);
+  vCorner = vec3(corner == 0, corner == 1, corner == 2);
   uint id = uint(firstTriangle) + uint(triangle) + 1u;
   vId = vec4(id & 255u, id >> 8 & 255u, id >> 16 & 255u, id >> 24) / 255.0;
+  vec4 view = viewMatrix * vec4(place, 1.0);
   vPlace = place;
-  gl_Position = projectionMatrix * viewMatrix * vec4(place, 1.0);
+  vView = view.xyz;
+  gl_Position = projectionMatrix * view;
 }
 `;
 
@@ -52,7 +54,7 @@ bool isCutAway(vec3 place, bool isFront) {
 }
 `;
 
-const colorSpaces = /* glsl */ `
+const color = /* glsl */ `
 vec3 toLinear(vec3 c) { return mix(pow((c + 0.055) / 1.055, vec3(2.4)), c / 12.92, vec3(lessThanEqual(c, vec3(0.04045)))); }
 /** Half a step of the screen's colours up or down, so that slow gradients show no bands. */
 float dither(vec2 p) { return (fract(52.9829189 * fract(dot(p, vec2(0.06711056, 0.00583715)))) - 0.5) / 255.0; }
@@ -60,9 +62,10 @@ vec3 toScreen(vec3 c) { return mix(1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, c * 
 `;
 
 export const surfaceFragment = /* glsl */ `
-flat in uint vColor;
-flat in int vMark;
-in vec2 vCorner;
+in vec4 vColor;
+in vec3 vMark;
+in vec3 vCorner;
+in vec3 vView;
 in vec3 vPlace;
 uniform float showTriangles;
 uniform vec3 accent;
@@ -70,7 +73,7 @@ uniform float isPerspective;
 uniform float pass;                // 0: opaque faces, 1: the others
 out vec4 outColor;
 ${clipping}
-${colorSpaces}
+${color}
 const vec3 key = vec3(-0.473, 0.520, 0.710);
 float light(vec3 n, vec3 toEye) {
   vec3 fill = normalize(vec3(0.85, 0.1, 0.45));
@@ -79,25 +82,21 @@ float light(vec3 n, vec3 toEye) {
 }
 void main() {
   if (isCutAway(vPlace, gl_FrontFacing)) discard;
-  bool isOpaque = vColor >> 24 == 255u;
-  if (isOpaque == (pass > 0.5)) discard;
-  mat3 toView = mat3(viewMatrix);
-  vec3 n = normalize(toView * cross(dFdx(vPlace), dFdy(vPlace)));
-  vec3 toEye = isPerspective > 0.5 ? normalize(toView * (cameraPosition - vPlace)) : vec3(0.0, 0.0, 1.0);
-  vec4 color = vec4(vColor & 255u, vColor >> 8 & 255u, vColor >> 16 & 255u, vColor >> 24) / 255.0;
-  vec3 base = toLinear(color.rgb);
-  if ((vMark & 4) != 0) base = mix(base, vec3(dot(base, vec3(0.3, 0.5, 0.2))) * 0.6 + 0.12, 0.82);
+  if ((vColor.a > 0.998) == (pass > 0.5)) discard;
+  vec3 n = normalize(cross(dFdx(vView), dFdy(vView)));
+  vec3 toEye = isPerspective > 0.5 ? normalize(-vView) : vec3(0.0, 0.0, 1.0);
+  vec3 base = toLinear(vColor.rgb);
+  base = mix(base, vec3(dot(base, vec3(0.3, 0.5, 0.2))) * 0.6 + 0.12, 0.82 * vMark.z);
   if (!gl_FrontFacing && pass < 0.5) base = mix(base, vec3(0.36, 0.12, 0.1), 0.7);
   float brightness = light(n, toEye);
   vec3 shaded = base * brightness + 0.05 * pow(max(dot(n, normalize(key + toEye)), 0.0), 24.0);
-  shaded = mix(shaded, accent * (0.6 + 0.4 * brightness), (vMark & 1) != 0 ? 0.85 : (vMark & 2) != 0 ? 0.3 : 0.0);
+  shaded = mix(shaded, accent * (0.6 + 0.4 * brightness), max(0.85 * vMark.x, 0.3 * vMark.y));
   if (showTriangles > 0.5) {
-    vec3 weights = vec3(vCorner, 1.0 - vCorner.x - vCorner.y);
-    vec3 width = fwidth(weights);
-    vec3 inside = smoothstep(width * 0.4, width * 1.3, weights);
+    vec3 width = fwidth(vCorner);
+    vec3 inside = smoothstep(width * 0.4, width * 1.3, vCorner);
     shaded = mix(shaded * 0.42, shaded, min(inside.x, min(inside.y, inside.z)));
   }
-  float alpha = pass > 0.5 ? max(color.a, (vMark & 1) != 0 ? 0.8 : 0.0) : 1.0;
+  float alpha = pass > 0.5 ? max(vColor.a, 0.8 * vMark.x) : 1.0;
   outColor = vec4((toScreen(shaded) + dither(gl_FragCoord.xy)) * alpha, alpha);
 }
 `;
