@@ -18,25 +18,28 @@ function tell(title: string, explanation: string): void {
   window.quoinView = { ready: false, error: `${title} ${explanation}` };
 }
 
-function hasWebGl(): boolean {
-  try {
-    return document.createElement("canvas").getContext("webgl2") !== null;
-  } catch {
-    return false;
-  }
+/** Who draws; empty when nobody does. */
+function graphicsDevice(): string {
+  const gl = document.createElement("canvas").getContext("webgl2");
+  if (!gl) return "";
+  const names = gl.getExtension("WEBGL_debug_renderer_info");
+  const name = String(gl.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
+  gl.getExtension("WEBGL_lose_context")?.loseContext();
+  return name || "unknown";
 }
 
 function start(): void {
   try {
     const scene = readScene();
-    if (!hasWebGl()) {
+    const device = graphicsDevice();
+    if (!device) {
       tell(
         "This browser cannot draw in 3D.",
         "The page needs WebGL 2. It may be switched off in the browser's settings, or the graphics driver may be missing; another browser may do.",
       );
       return;
     }
-    const viewer = new Viewer(document.getElementById("app") as HTMLElement, scene, tell);
+    const viewer = new Viewer(document.getElementById("app") as HTMLElement, scene, device, tell);
     window.quoinView = viewer.testHook();
     message.hidden = true;
   } catch (error) {

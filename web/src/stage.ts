@@ -28,8 +28,11 @@ export class Stage {
   private isCoarse = false;
   private lastFrame = 0;
 
-  constructor(readonly host: HTMLElement) {
-    this.renderer = new THREE.WebGLRenderer({ antialias: true, alpha: true, stencil: true });
+  constructor(
+    readonly host: HTMLElement,
+    antialias: boolean,
+  ) {
+    this.renderer = new THREE.WebGLRenderer({ antialias, alpha: true, stencil: true });
     this.renderer.setClearColor(0x000000, 0);
     this.renderer.outputColorSpace = THREE.LinearSRGBColorSpace; // the shaders write what the screen shows
     this.renderer.sortObjects = true;

@@ -52,11 +52,15 @@ export class Viewer {
   constructor(
     private readonly host: HTMLElement,
     readonly data: SceneData,
+    device: string,
     tell: (title: string, explanation: string) => void,
   ) {
     const canvasHost = el("div", { class: "stage" });
     host.append(canvasHost);
-    this.stage = new Stage(canvasHost);
+    // Drawn by the processor, many small triangles cost three times as much with smooth outlines.
+    const isSoftware = /swiftshader|llvmpipe|software|basic render/i.test(device);
+    const triangles = data.parts.reduce((sum, part) => sum + part.triangleCount, 0);
+    this.stage = new Stage(canvasHost, !isSoftware || triangles < 150_000);
     this.triangleCount = this.addParts();
     this.explosion = new Explosion(this.stage, this.meshes);
     this.picker = new Picker(this.stage, this.meshes, data);

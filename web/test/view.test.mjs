@@ -181,12 +181,14 @@ describe("the view", () => {
       await page.keyboard.press("o");
       await page.keyboard.press("m");
       const box = await page.evaluate(() => {
-        let [left, top, right, bottom] = [Infinity, Infinity, -Infinity, -Infinity];
-        for (let y = 60; y < innerHeight - 60; y += 4)
-          for (let x = 4; x < innerWidth - 4; x += 4)
-            if (window.quoinView.pick(x, y))
-              [left, top, right, bottom] = [Math.min(left, x), Math.min(top, y), Math.max(right, x), Math.max(bottom, y)];
-        return { left, top, right, bottom };
+        const middle = { x: document.querySelector(".panel").getBoundingClientRect().left / 2, y: (62 + innerHeight - 68) / 2 };
+        const reach = (dx, dy) => {
+          let n = 0;
+          while (window.quoinView.pick(middle.x + 4 * (n + 1) * dx, middle.y + 4 * (n + 1) * dy)) ++n;
+          return 4 * n;
+        };
+        const { x, y } = middle;
+        return { left: x - reach(-1, 0), right: x + reach(1, 0), top: y - reach(0, -1), bottom: y + reach(0, 1) };
       });
       await page.mouse.click(box.left, box.top);
       await page.mouse.click(box.right, box.bottom);
