@@ -136,14 +136,16 @@ describe("the view", () => {
   it("drags the cut by its arrow", async () => {
     await look("small", {}, async (page) => {
       await page.keyboard.press("s");
-      await page.waitForTimeout(200);
+      await page.locator(".handle .grip").waitFor({ state: "visible", timeout: 30000 });
       const before = await page.locator(".dock .value").first().innerText();
       const grip = await page.locator(".handle .grip").boundingBox();
       await page.mouse.move(grip.x + grip.width / 2, grip.y + grip.height / 2);
       await page.mouse.down();
       await page.mouse.move(grip.x + 60, grip.y + 30, { steps: 4 });
       await page.mouse.up();
-      assert.notEqual(await page.locator(".dock .value").first().innerText(), before);
+      await page.waitForFunction((text) => document.querySelector(".dock .value").innerText !== text, before, {
+        timeout: 30000,
+      });
     });
   });
 
