@@ -11,18 +11,21 @@ namespace quoin::cli {
 
 namespace {
 
+// The plane of a face exactly where doubles hold its coefficients, else none: the view then shows it as rounded.
 std::array<double, 4> plane_of(const Brep& b, std::uint32_t f) {
-  const Point3& p = b.points.rounded(b.face_planes[f][0]);
-  const Point3& q = b.points.rounded(b.face_planes[f][1]);
-  const Point3& r = b.points.rounded(b.face_planes[f][2]);
-  const Point3 u{q.x - p.x, q.y - p.y, q.z - p.z};
-  const Point3 v{r.x - p.x, r.y - p.y, r.z - p.z};
-  Point3 n{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
-  const double length = std::hypot(n.x, n.y, n.z);
-  if (!(length > 0) || !std::isfinite(length)) return {0, 0, 0, 0};
-  n = {n.x / length, n.y / length, n.z / length};
-  const double d = n.x * p.x + n.y * p.y + n.z * p.z;
-  return std::isfinite(d) ? std::array{n.x, n.y, n.z, d} : std::array{0.0, 0.0, 0.0, 0.0};
+  const RationalPoint3 p = b.points.exact(b.face_planes[f][0]);
+  const RationalPoint3 q = b.points.exact(b.face_planes[f][1]);
+  const RationalPoint3 r = b.points.exact(b.face_planes[f][2]);
+  const RationalPoint3 u{q.x - p.x, q.y - p.y, q.z - p.z};
+  const RationalPoint3 v{r.x - p.x, r.y - p.y, r.z - p.z};
+  const RationalPoint3 n{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+  const Rational exact[] = {n.x, n.y, n.z, n.x * p.x + n.y * p.y + n.z * p.z};
+  std::array<double, 4> plane{};
+  for (std::size_t k = 0; k < 4; ++k) {
+    plane[k] = exact[k].to_double();
+    if (!std::isfinite(plane[k]) || Rational(plane[k]) != exact[k]) return {};
+  }
+  return plane;
 }
 
 // Edges of triangles at which two different faces meet.
