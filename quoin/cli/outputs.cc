@@ -88,13 +88,15 @@ class OutputWriter {
     const Triangulated& t = triangles(is_single_precision(target.format) ? Precision::binary32 : Precision::binary64);
     if (!is_acceptable(t, target.name)) return;
     const Mesh mesh = to_mesh(boundary_, t, title_);
+    WriteReport written;
     if (target.name == "-") {
-      write_mesh(std::cout, target.format, mesh, context_);
+      written = write_mesh(std::cout, target.format, mesh, context_);
       std::cout.flush();
       if (!std::cout) throw FileError("standard output: writing failed");
     } else {
-      write_mesh(std::filesystem::path(target.name), target.format, mesh, context_);
+      written = write_mesh(std::filesystem::path(target.name), target.format, mesh, context_);
     }
+    if (written.dropped_colors) report_.notes.push_back(target.name + ": the format holds no colours");
   }
 
   // A picture may show rounded coordinates in any case; the report says how they are.

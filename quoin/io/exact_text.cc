@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "quoin/io/exact_text.h"
 
+#include <charconv>
 #include <fstream>
 #include <ostream>
 
@@ -10,6 +11,38 @@
 namespace quoin {
 
 namespace {
+
+// Names may hold anything; spaces, '#', '%' and control characters become %XX, so that a name is one word.
+std::string encoded(const std::string& name) {
+  static constexpr char digits[] = "0123456789ABCDEF";
+  std::string word;
+  for (const char c : name) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte > 0x20 && byte != 0x7F && c != '#' && c != '%') {
+      word += c;
+    } else {
+      word += {'%', digits[byte >> 4], digits[byte & 15]};
+    }
+  }
+  return word;
+}
+
+std::string decoded(std::string_view word) {
+  std::string name;
+  for (std::size_t i = 0; i < word.size(); ++i) {
+    unsigned byte = 0;
+    if (word[i] == '%' && i + 2 < word.size()) {
+      const auto [end, error] = std::from_chars(word.data() + i + 1, word.data() + i + 3, byte, 16);
+      if (error == std::errc() && end == word.data() + i + 3) {
+        name += static_cast<char>(byte);
+        i += 2;
+        continue;
+      }
+    }
+    name += word[i];
+  }
+  return name;
+}
 
 class ExactReader {
  public:
@@ -61,10 +94,7 @@ class ExactReader {
     const std::size_t names = count(1);
     for (std::size_t i = 0; i < names; ++i) {
       expect("input", 1);
-      std::string name;
-      for (std::size_t w = 1; w < lines_.words().size(); ++w)
-        name += (w > 1 ? " " : "") + std::string(lines_.words()[w]);
-      brep_.leaf_names.push_back(name);
+      brep_.leaf_names.push_back(lines_.words().size() > 1 ? decoded(lines_.words()[1]) : "");
     }
   }
 
@@ -92,6 +122,8 @@ class ExactReader {
   }
 
   void read_faces() {
+    expect("colors", 2);
+    const bool has_colors = lines_.words()[1] == "yes";
     expect("faces", 2);
     const std::size_t faces = count(1);
     const std::size_t points = brep_.points.point_count();
@@ -105,6 +137,10 @@ class ExactReader {
         brep_.origins.push_back({index(7 + 2 * o, 0xFFFFFFFFU), index(8 + 2 * o, 0xFFFFFFFFU)});
       }
       brep_.face_first_origin.push_back(static_cast<std::uint32_t>(brep_.origins.size()));
+      if (has_colors) {
+        const auto channel = [&](std::size_t k) { return static_cast<std::uint8_t>(index(7 + 2 * origins + k, 256)); };
+        brep_.face_colors.push_back({channel(0), channel(1), channel(2), channel(3)});
+      }
       for (std::size_t l = 0; l < loops; ++l) {
         expect("loop", 4);
         for (std::size_t i = 1; i < lines_.words().size(); ++i)
@@ -125,7 +161,7 @@ class ExactReader {
 
 void write_exact_text(std::ostream& out, const Brep& b) {
   out << "quoin-solid 1\nunbounded " << (b.is_unbounded ? "yes" : "no") << "\ninputs " << b.leaf_names.size() << "\n";
-  for (const std::string& name : b.leaf_names) out << "input " << name << "\n";
+  for (const std::string& name : b.leaf_names) out << "input " << encoded(name) << "\n";
   out << "components " << b.component_count << "\nshells " << b.shells.size() << "\n";
   for (const Shell& shell : b.shells) out << "shell " << (shell.is_void ? "void" : "outer") << "\n";
   out << "points " << b.points.point_count() << "\n";
@@ -133,6 +169,7 @@ void write_exact_text(std::ostream& out, const Brep& b) {
     const RationalPoint3 p = b.points.exact(PointId{i});
     out << p.x.to_string() << " " << p.y.to_string() << " " << p.z.to_string() << "\n";
   }
+  out << "colors " << (b.face_colors.empty() ? "no" : "yes") << "\n";
   out << "faces " << b.face_count() << "\n";
   for (std::size_t f = 0; f < b.face_count(); ++f) {
     const auto& plane = b.face_planes[f];
@@ -141,6 +178,10 @@ void write_exact_text(std::ostream& out, const Brep& b) {
         << b.face_first_origin[f + 1] - b.face_first_origin[f];
     for (std::uint32_t o = b.face_first_origin[f]; o < b.face_first_origin[f + 1]; ++o) {
       out << " " << b.origins[o].leaf << " " << b.origins[o].face;
+    }
+    if (!b.face_colors.empty()) {
+      const Color& c = b.face_colors[f];
+      out << " " << int{c.r} << " " << int{c.g} << " " << int{c.b} << " " << int{c.a};
     }
     out << "\n";
     for (std::uint32_t l = b.face_first_loop[f]; l < b.face_first_loop[f + 1]; ++l) {

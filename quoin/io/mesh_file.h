@@ -61,11 +61,13 @@ MeshFile read_mesh(std::string_view bytes, const std::string& name, const ReadOp
 struct WriteReport {
   std::size_t rounded_coordinates = 0;  ///< that the format could not hold
   double largest_rounding = 0;
+  bool dropped_colors = false;  ///< the mesh has colours and the format has none
 };
 
 /// Writes a mesh; text formats hold the shortest decimals that read back to the same doubles.
 /// @throws FileError   the file cannot be written
-/// @throws InputError  the format cannot hold the mesh (polygons in STL)
+/// @throws InputError  the format cannot hold the mesh (polygons in STL, coordinates beyond single precision in
+///                     binary STL)
 WriteReport write_mesh(const std::filesystem::path& path, MeshFormat format, const Mesh& mesh, const Context& context);
 WriteReport write_mesh(std::ostream& out, MeshFormat format, const Mesh& mesh, const Context& context);
 

@@ -24,6 +24,7 @@ class OffReader {
     for (std::size_t f = 0; f < face_count_; ++f) read_face(f);
     if (!has_colors_) mesh.face_colors.clear();
     if (has_extra_) file_.report.warnings.push_back("what the vertex lines hold beyond x, y, z is not kept");
+    if (has_color_indices_) file_.report.warnings.push_back("colours given as an index into a map are not kept");
     return std::move(file_);
   }
 
@@ -99,6 +100,8 @@ class OffReader {
       };
       color = {channel(0), channel(1), channel(2), words.size() > 3 ? channel(3) : std::uint8_t{255}};
       has_colors_ = true;
+    } else if (!words.empty()) {
+      has_color_indices_ = true;
     }
     file_.mesh.face_colors.push_back(color);
   }
@@ -111,6 +114,7 @@ class OffReader {
   std::size_t face_count_ = 0;
   bool has_colors_ = false;
   bool has_extra_ = false;
+  bool has_color_indices_ = false;
 };
 
 }  // namespace

@@ -318,10 +318,11 @@ class PlyReader {
           }
           mesh.corners.push_back(static_cast<std::uint32_t>(value));
         }
-        if (p == channels[0]) color.r = static_cast<std::uint8_t>(value);
-        if (p == channels[1]) color.g = static_cast<std::uint8_t>(value);
-        if (p == channels[2]) color.b = static_cast<std::uint8_t>(value);
-        if (p == channels[3]) color.a = static_cast<std::uint8_t>(value);
+        for (std::size_t k = 0; k < 4; ++k) {
+          if (p != channels[k]) continue;
+          if (!(value >= 0 && value <= 255)) values.fail("face " + std::to_string(f) + " has a colour beyond 255");
+          (k == 0 ? color.r : k == 1 ? color.g : k == 2 ? color.b : color.a) = static_cast<std::uint8_t>(value);
+        }
       });
       mesh.face_begin.push_back(mesh.corners.size());
       mesh.face_colors.push_back(color);

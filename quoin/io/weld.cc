@@ -6,20 +6,15 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "quoin/base/disjoint_sets.h"
 #include "quoin/base/error.h"
+#include "quoin/kernel/point_hash.h"
 
 namespace quoin::io {
 
 namespace {
 
 constexpr std::uint32_t none = 0xFFFFFFFFU;
-
-std::size_t hash_of(const Point3& p) {
-  std::uint64_t h = std::bit_cast<std::uint64_t>(p.x) * 0x9E3779B97F4A7C15U;
-  h = (h ^ (h >> 29) ^ std::bit_cast<std::uint64_t>(p.y)) * 0xBF58476D1CE4E5B9U;
-  h = (h ^ (h >> 32) ^ std::bit_cast<std::uint64_t>(p.z)) * 0x94D049BB133111EBU;
-  return h ^ (h >> 31);
-}
 
 // The first vertex of equal coordinates, per vertex.
 std::vector<std::uint32_t> exact_representatives(const std::vector<Point3>& points, const Context& context) {
@@ -53,18 +48,17 @@ struct CellHash {
 class ToleranceWelder {
  public:
   ToleranceWelder(const std::vector<Point3>& points, double tolerance, const Context& context)
-      : points_(points), tolerance_(tolerance), context_(context) {}
+      : points_(points), tolerance_(tolerance), context_(context), sets_(points.size()) {}
 
   std::vector<std::uint32_t> run() {
-    parent_.resize(points_.size());
     for (std::uint32_t v = 0; v < points_.size(); ++v) {
       if (v % 4096 == 0) context_.poll();
-      parent_[v] = v;
       join_near(v);
       cells_[cell(points_[v])].push_back(v);
     }
-    for (std::uint32_t v = 0; v < points_.size(); ++v) parent_[v] = find(v);
-    return std::move(parent_);
+    std::vector<std::uint32_t> first(points_.size());
+    for (std::uint32_t v = 0; v < points_.size(); ++v) first[v] = sets_.find(v);
+    return first;
   }
 
  private:
@@ -87,7 +81,7 @@ class ToleranceWelder {
           for (const std::uint32_t w : found->second) {
             if (std::hypot(points_[v].x - points_[w].x, points_[v].y - points_[w].y, points_[v].z - points_[w].z) <=
                 tolerance_) {
-              join(v, w);
+              sets_.unite(v, w);
             }
           }
         }
@@ -95,21 +89,10 @@ class ToleranceWelder {
     }
   }
 
-  std::uint32_t find(std::uint32_t v) {
-    while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
-    return v;
-  }
-
-  void join(std::uint32_t v, std::uint32_t w) {
-    v = find(v);
-    w = find(w);
-    parent_[std::max(v, w)] = std::min(v, w);
-  }
-
   const std::vector<Point3>& points_;
   double tolerance_;
   const Context& context_;
-  std::vector<std::uint32_t> parent_;
+  DisjointSets sets_;
   std::unordered_map<Cell, std::vector<std::uint32_t>, CellHash> cells_;
 };
 

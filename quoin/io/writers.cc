@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <limits>
 #include <ostream>
 
 #include "quoin/base/error.h"
@@ -68,22 +69,34 @@ class Writer {
   std::string block_;
 };
 
+// One line of text: control characters of a name would end it.
+std::string line_of(const std::string& name) {
+  std::string line = name;
+  for (char& c : line) {
+    if (static_cast<unsigned char>(c) < 0x20) c = ' ';
+  }
+  return line;
+}
+
+// The corners of a face with their number, and its colour if there are colours, as words of a line.
+void write_face_line(Writer& out, const Mesh& mesh, std::size_t f) {
+  out.number(mesh.face(f).size());
+  for (const std::uint32_t v : mesh.face(f)) out.text(" ").number(std::size_t{v});
+  if (!mesh.face_colors.empty()) {
+    const Color& c = mesh.face_colors[f];
+    for (const std::uint8_t channel : {c.r, c.g, c.b, c.a}) out.text(" ").number(std::size_t{channel});
+  }
+  out.text("\n");
+}
+
 void write_off(Writer& out, const Mesh& mesh) {
   out.text("OFF\n").number(mesh.vertices.size()).text(" ").number(mesh.face_count()).text(" 0\n");
   for (const Point3& p : mesh.vertices) out.point(p).text("\n");
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    out.number(mesh.face(f).size());
-    for (const std::uint32_t v : mesh.face(f)) out.text(" ").number(std::size_t{v});
-    if (!mesh.face_colors.empty()) {
-      const Color& c = mesh.face_colors[f];
-      for (const std::uint8_t channel : {c.r, c.g, c.b, c.a}) out.text(" ").number(std::size_t{channel});
-    }
-    out.text("\n");
-  }
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) write_face_line(out, mesh, f);
 }
 
 void write_obj(Writer& out, const Mesh& mesh) {
-  if (!mesh.name.empty()) out.text("o ").text(mesh.name).text("\n");
+  if (!mesh.name.empty()) out.text("o ").text(line_of(mesh.name)).text("\n");
   for (const Point3& p : mesh.vertices) out.text("v ").point(p).text("\n");
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
     out.text("f");
@@ -116,7 +129,7 @@ void require_triangles(const Mesh& mesh) {
 }
 
 void write_stl_text(Writer& out, const Mesh& mesh) {
-  const std::string name = mesh.name.empty() ? "quoin" : mesh.name;
+  const std::string name = mesh.name.empty() ? "quoin" : line_of(mesh.name);
   out.text("solid ").text(name).text("\n");
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
     out.text("facet normal ").point(normal_of(mesh, f)).text("\n outer loop\n");
@@ -155,15 +168,7 @@ void write_ply_header(Writer& out, MeshFormat format, const Mesh& mesh) {
 
 void write_ply_text(Writer& out, const Mesh& mesh) {
   for (const Point3& p : mesh.vertices) out.point(p).text("\n");
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    out.number(mesh.face(f).size());
-    for (const std::uint32_t v : mesh.face(f)) out.text(" ").number(std::size_t{v});
-    if (!mesh.face_colors.empty()) {
-      const Color& c = mesh.face_colors[f];
-      for (const std::uint8_t channel : {c.r, c.g, c.b, c.a}) out.text(" ").number(std::size_t{channel});
-    }
-    out.text("\n");
-  }
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) write_face_line(out, mesh, f);
 }
 
 void write_ply_binary(Writer& out, const Mesh& mesh, bool big) {
@@ -178,11 +183,15 @@ void write_ply_binary(Writer& out, const Mesh& mesh, bool big) {
   }
 }
 
-WriteReport rounding_of(MeshFormat format, const Mesh& mesh) {
+WriteReport report_on(MeshFormat format, const Mesh& mesh) {
   WriteReport report;
+  report.dropped_colors = !mesh.face_colors.empty() && (format == MeshFormat::obj || is_triangles_only(format));
   if (!is_single_precision(format)) return report;
   for (const Point3& p : mesh.vertices) {
     for (std::size_t k = 0; k < 3; ++k) {
+      if (!(std::fabs(p[k]) <= static_cast<double>(std::numeric_limits<float>::max()))) {
+        throw InputError("a coordinate is too large for single precision");
+      }
       const double move = std::fabs(static_cast<double>(static_cast<float>(p[k])) - p[k]);
       if (move > 0) ++report.rounded_coordinates;
       report.largest_rounding = std::max(report.largest_rounding, move);
@@ -195,6 +204,7 @@ WriteReport rounding_of(MeshFormat format, const Mesh& mesh) {
 
 WriteReport write_mesh(std::ostream& stream, MeshFormat format, const Mesh& mesh, const Context& context) {
   if (is_triangles_only(format)) require_triangles(mesh);
+  const WriteReport report = report_on(format, mesh);
   {
     Writer out(stream, context);
     switch (format) {
@@ -221,7 +231,7 @@ WriteReport write_mesh(std::ostream& stream, MeshFormat format, const Mesh& mesh
         break;
     }
   }
-  return rounding_of(format, mesh);
+  return report;
 }
 
 WriteReport write_mesh(const std::filesystem::path& path, MeshFormat format, const Mesh& mesh, const Context& context) {

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <set>
+#include <utility>
 
-#include "quoin/base/parallel.h"
+#include "quoin/base/error.h"
 #include "quoin/solid/exit_check.h"
 #include "quoin/solid/exit_triangulation.h"
 #include "quoin/solid/leaf.h"
@@ -24,7 +26,11 @@ struct Positions {
 };
 
 double nearest(double value, Precision precision) {
-  return precision == Precision::binary32 ? static_cast<double>(static_cast<float>(value)) : value;
+  if (precision == Precision::binary64 && std::isfinite(value)) return value;
+  if (!(std::fabs(value) <= static_cast<double>(std::numeric_limits<float>::max()))) {
+    throw InputError("a coordinate is too large for the numbers of the format");
+  }
+  return static_cast<double>(static_cast<float>(value));
 }
 
 double spacing(double value) {
@@ -87,7 +93,6 @@ class SnapGrid {
     cell_ = std::ldexp(1.0, std::max(exponent - bits, -1070));
   }
 
-  double cell() const { return cell_; }
   double snap(double x) const { return std::nearbyint(x / cell_) * cell_; }
   Point3 snap(const Point3& p) const { return {snap(p.x), snap(p.y), snap(p.z)}; }
 
@@ -119,8 +124,11 @@ double snap_crossing(std::vector<Point3>& points, std::span<const Tile> triangle
   return displacement;
 }
 
-// The points of positive winding number of triangles that may cross each other.
-Brep resolve(const std::vector<Point3>& points, std::span<const Tile> triangles, const Context& context) {
+// The points of positive winding number of triangles that may cross each other; for an unbounded set, whose triangles
+// wind about what it leaves out, the complement of those of the reversed triangles. Nothing where the triangles do not
+// close.
+std::optional<Brep> resolve(const std::vector<Point3>& points, std::span<const Tile> triangles, bool is_unbounded,
+                            const Context& context) {
   Mesh mesh;
   std::vector<std::uint32_t> representative(points.size());
   std::vector<std::uint32_t> order(points.size());
@@ -133,11 +141,16 @@ Brep resolve(const std::vector<Point3>& points, std::span<const Tile> triangles,
     if (mesh.vertices.empty() || mesh.vertices.back() != points[v]) mesh.vertices.push_back(points[v]);
     representative[v] = static_cast<std::uint32_t>(mesh.vertices.size() - 1);
   }
-  for (const Tile& t : triangles) mesh.add_face(Tile{representative[t[0]], representative[t[1]], representative[t[2]]});
+  for (const Tile& t : triangles) {
+    Tile corners{representative[t[0]], representative[t[1]], representative[t[2]]};
+    if (is_unbounded) std::swap(corners[1], corners[2]);
+    mesh.add_face(corners);
+  }
   const LeafResult leaf = make_leaf(mesh, {.max_listed = 0, .find_crossings = false}, context);
-  if (!leaf.leaf) return {};
+  if (!leaf.leaf) return std::nullopt;
   const std::shared_ptr<const Leaf> leaves[] = {leaf.leaf};
-  return overlay_boundary(leaves, Expression::leaf(0), context);
+  const Expression inside = Expression::leaf(0);
+  return overlay_boundary(leaves, is_unbounded ? Expression::complement(inside) : inside, context);
 }
 
 // After a round of snap rounding the boundary's faces stem from triangles of the round before.
@@ -187,18 +200,21 @@ Triangulated triangulate_boundary(const Brep& boundary, const ExitOptions& optio
       compact_vertices(result, positions.points);
       return result;
     }
-    if (round == options.max_rounds) {
+    std::vector<Point3> points = positions.points;
+    const SnapGrid grid(points, bits);
+    if (round % 2 == 1) bits -= 4;
+    const double displacement = snap_crossing(points, result.triangles, result.crossings, grid);
+    std::optional<Brep> next;
+    if (round < options.max_rounds) next = resolve(points, result.triangles, boundary.is_unbounded, context);
+    if (!next) {
       result.rounding = Rounding::failed;
       if (result.crossings.size() > options.max_listed) result.crossings.resize(options.max_listed);
       compact_vertices(result, positions.points);
       return result;
     }
-    std::vector<Point3> points = positions.points;
-    const SnapGrid grid(points, bits);
-    if (round % 2 == 1) bits -= 4;
-    result.max_displacement += snap_crossing(points, result.triangles, result.crossings, grid);
+    result.max_displacement += displacement;
     face_before = result.triangle_face;
-    resolved = resolve(points, result.triangles, context);
+    resolved = std::move(*next);
     current = &resolved;
   }
 }

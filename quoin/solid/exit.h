@@ -47,6 +47,7 @@ struct Triangulated {
 /// are snapped to a uniform grid of 24 bits and the boundary of positive winding is taken anew, until no crossing is
 /// left (iterated snap rounding: Milenkovic and Sacks 2018, Valque and Lazard 2025). O(n log n) for n vertices and a
 /// bounded number of rounds.
+/// @throws InputError  a coordinate exceeds the range of the precision
 /// @throws Cancelled
 Triangulated triangulate_boundary(const Brep& boundary, const ExitOptions& options, const Context& context);
 

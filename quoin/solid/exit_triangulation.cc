@@ -2,9 +2,9 @@
 #include "quoin/solid/exit_triangulation.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "quoin/base/parallel.h"
+#include "quoin/kernel/projection.h"
 #include "quoin/triangulation/polygon.h"
 
 namespace quoin {
@@ -18,22 +18,10 @@ struct Projection {
 };
 
 Projection projection_of(const Constructions& table, const std::array<PointId, 3>& plane) {
-  const Point3& a = table.rounded(plane[0]);
-  const Point3& b = table.rounded(plane[1]);
-  const Point3& c = table.rounded(plane[2]);
-  Projection best{0, 1};
-  double size = -1;
-  for (unsigned axis = 0; axis < 3; ++axis) {
-    const unsigned u = (axis + 1) % 3;
-    const unsigned v = (axis + 2) % 3;
-    const double s = std::fabs((b[u] - a[u]) * (c[v] - a[v]) - (b[v] - a[v]) * (c[u] - a[u]));
-    if (s <= size) continue;
-    const Sign turn = table.turn(plane[0], plane[1], plane[2], axis);
-    if (turn == Sign::zero) continue;
-    size = s;
-    best = turn == Sign::positive ? Projection{u, v} : Projection{v, u};
-  }
-  return best;
+  const unsigned axis = projection_axis(table, plane[0], plane[1], plane[2]);
+  const unsigned u = (axis + 1) % 3;
+  const unsigned v = (axis + 2) % 3;
+  return table.turn(plane[0], plane[1], plane[2], axis) == Sign::positive ? Projection{u, v} : Projection{v, u};
 }
 
 class FaceTriangulator {

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
+#include "quoin/base/disjoint_sets.h"
 #include "quoin/base/parallel.h"
 #include "quoin/solid/leaf_tiles.h"
 #include "quoin/solid/overlay/contacts.h"
-#include "quoin/solid/overlay/disjoint_sets.h"
 #include "quoin/solid/overlay/winding.h"
 #include "quoin/solid/star_certificate.h"
 
@@ -103,7 +103,7 @@ void find_self_crossings(Leaf& leaf, const Constructions& points, std::size_t ma
 
 void find_inverted_components(const std::shared_ptr<const Leaf>& leaf, std::size_t max_listed, MeshDiagnosis& diagnosis,
                               const Context& context) {
-  overlay::DisjointSets components(leaf->tiles.size());
+  DisjointSets components(leaf->tiles.size());
   for (std::uint32_t h = 0; h < leaf->twins.size(); ++h) {
     if (leaf->twins[h] != Leaf::no_twin && leaf->twins[h] > h) components.unite(h / 3, leaf->twins[h] / 3);
   }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <utility>
 
 #include "quoin/base/error.h"
 #include "quoin/triangulation/polygon.h"
@@ -75,21 +76,8 @@ class TileMaker {
 
   void add_polygon(std::uint32_t face) {
     if (!is_planar()) note(diagnosis_.not_planar_faces, face, max_listed_);
-    const std::optional<std::array<unsigned, 2>> projection = choose_projection();
-    if (projection) {
-      polygon_points_.clear();
-      polygon_loop_.clear();
-      for (std::uint32_t i = 0; i < loop_.size(); ++i) {
-        const Point3& p = points_.rounded(PointId{loop_[i]});
-        polygon_points_.push_back({p[(*projection)[0]], p[(*projection)[1]]});
-        polygon_loop_.push_back(i);
-      }
-      triangles_.clear();
-      const std::array<std::uint32_t, 2> begin{0, static_cast<std::uint32_t>(loop_.size())};
-      if (triangulate_polygon(polygon_points_, polygon_loop_, begin, triangles_)) {
-        for (const PolygonTriangle& t : triangles_) add_triangle(face, {loop_[t[0]], loop_[t[1]], loop_[t[2]]});
-        return;
-      }
+    for (const auto& [u, v] : projections()) {
+      if (triangulate_projected(face, u, v)) return;
     }
     note(diagnosis_.not_simple_faces, face, max_listed_);
     // A fan closes the surface all the same; where it folds over, winding numbers tell.
@@ -109,8 +97,24 @@ class TileMaker {
     });
   }
 
-  // Coordinates of the projection with the largest area, in the order that makes the outline counterclockwise.
-  std::optional<std::array<unsigned, 2>> choose_projection() const {
+  bool triangulate_projected(std::uint32_t face, unsigned u, unsigned v) {
+    polygon_points_.clear();
+    polygon_loop_.clear();
+    for (std::uint32_t i = 0; i < loop_.size(); ++i) {
+      const Point3& p = points_.rounded(PointId{loop_[i]});
+      polygon_points_.push_back({p[u], p[v]});
+      polygon_loop_.push_back(i);
+    }
+    triangles_.clear();
+    const std::array<std::uint32_t, 2> begin{0, static_cast<std::uint32_t>(loop_.size())};
+    if (!triangulate_polygon(polygon_points_, polygon_loop_, begin, triangles_)) return false;
+    for (const PolygonTriangle& t : triangles_) add_triangle(face, {loop_[t[0]], loop_[t[1]], loop_[t[2]]});
+    return true;
+  }
+
+  // Pairs of coordinates to try, the largest area first as far as doubles tell, each in both orders: a triangulation
+  // decides exactly whether the outline is a counterclockwise polygon there.
+  std::array<std::array<unsigned, 2>, 6> projections() const {
     std::array<double, 3> area{};
     const Point3& origin = points_.rounded(PointId{loop_[0]});
     for (std::size_t i = 2; i < loop_.size(); ++i) {
@@ -122,14 +126,19 @@ class TileMaker {
         area[axis] += (p[u] - origin[u]) * (q[v] - origin[v]) - (p[v] - origin[v]) * (q[u] - origin[u]);
       }
     }
-    unsigned best = 0;
-    for (unsigned axis = 1; axis < 3; ++axis) {
-      if (std::fabs(area[axis]) > std::fabs(area[best])) best = axis;
+    std::array<unsigned, 3> order{0, 1, 2};
+    if (std::fabs(area[order[0]]) < std::fabs(area[order[1]])) std::swap(order[0], order[1]);
+    if (std::fabs(area[order[0]]) < std::fabs(area[order[2]])) std::swap(order[0], order[2]);
+    if (std::fabs(area[order[1]]) < std::fabs(area[order[2]])) std::swap(order[1], order[2]);
+    std::array<std::array<unsigned, 2>, 6> result{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const unsigned u = (order[k] + 1) % 3;
+      const unsigned v = (order[k] + 2) % 3;
+      const bool is_negative = area[order[k]] < 0;
+      result[2 * k] = is_negative ? std::array{v, u} : std::array{u, v};
+      result[2 * k + 1] = is_negative ? std::array{u, v} : std::array{v, u};
     }
-    if (area[best] == 0) return std::nullopt;
-    const unsigned u = (best + 1) % 3;
-    const unsigned v = (best + 2) % 3;
-    return area[best] > 0 ? std::array{u, v} : std::array{v, u};
+    return result;
   }
 
   struct Sliver {

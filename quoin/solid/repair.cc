@@ -5,8 +5,8 @@
 #include <map>
 #include <set>
 
+#include "quoin/base/disjoint_sets.h"
 #include "quoin/solid/leaf.h"
-#include "quoin/solid/overlay/disjoint_sets.h"
 #include "quoin/solid/overlay/winding.h"
 
 namespace quoin {

@@ -30,7 +30,13 @@ Solid Solid::of_leaf(std::shared_ptr<const Leaf> leaf) {
   Solid result;
   result.leaves_.push_back(std::move(leaf));
   result.expression_ = Expression::leaf(0);
+  result.boundary_ = nullptr;
   return result;
+}
+
+std::shared_ptr<const Brep> Solid::shared_boundary() const {
+  if (!boundary_) throw Error("this solid is an operand that was not evaluated");
+  return boundary_;
 }
 
 Solid Solid::from_leaf(std::shared_ptr<const Leaf> leaf, const Context& context) {

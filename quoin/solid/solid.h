@@ -25,8 +25,8 @@ class Solid {
   /// The points of positive winding number with respect to the leaf's tiles.
   static Solid from_leaf(std::shared_ptr<const Leaf> leaf, const Context& context);
 
-  /// An operand that is not evaluated by itself: its boundary is made with that of the expression it goes into, and is
-  /// empty until then.
+  /// An operand that is not evaluated by itself: its boundary is made with that of the expression it goes into, and
+  /// asking for it before is an error.
   static Solid of_leaf(std::shared_ptr<const Leaf> leaf);
 
   /// Evaluates the expression over `solids` (leaf i of the expression is solids[i]) as one arrangement.
@@ -35,9 +35,10 @@ class Solid {
   /// intersections. Deterministic: the same bytes for any number of threads. @throws Cancelled, inputs untouched.
   static Solid evaluate(const Expression& expression, std::span<const Solid> solids, const Context& context);
 
-  const Brep& boundary() const { return *boundary_; }
-  std::shared_ptr<const Brep> shared_boundary() const { return boundary_; }
-  bool is_empty() const { return boundary_->face_count() == 0 && !boundary_->is_unbounded; }
+  /// @throws Error  the solid is an operand that was not evaluated
+  const Brep& boundary() const { return *shared_boundary(); }
+  std::shared_ptr<const Brep> shared_boundary() const;
+  bool is_empty() const { return boundary().face_count() == 0 && !boundary().is_unbounded; }
   std::span<const std::shared_ptr<const Leaf>> leaves() const { return leaves_; }
 
  private:

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "quoin/solid/topology_counts.h"
 
+#include "quoin/base/disjoint_sets.h"
+
 #include <algorithm>
 #include <tuple>
 #include <vector>
-
-#include "quoin/solid/overlay/disjoint_sets.h"
 
 namespace quoin {
 
@@ -44,7 +44,7 @@ TopologyCounts count_topology(const Brep& boundary) {
   counts.faces = boundary.face_count();
   counts.loops = boundary.loop_count();
   const std::vector<EdgeUse> uses = edge_uses(boundary);
-  overlay::DisjointSets fans(boundary.loop_vertices.size());
+  DisjointSets fans(boundary.loop_vertices.size());
   for (std::size_t i = 0; i < uses.size();) {
     std::size_t j = i;
     std::size_t backward = 0;

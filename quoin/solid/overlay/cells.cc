@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "quoin/solid/overlay/cells.h"
 
-#include <algorithm>
+#include "quoin/base/disjoint_sets.h"
 
-#include "quoin/solid/overlay/disjoint_sets.h"
+#include <algorithm>
 
 namespace quoin::overlay {
 

@@ -2,10 +2,10 @@
 //
 // Two facets in one plane, projected along an axis that the plane is not parallel to. Signs are taken as if both
 // facets turned counterclockwise, so that positive always means inside.
-#include <cmath>
 #include <utility>
 
 #include "quoin/base/error.h"
+#include "quoin/kernel/projection.h"
 #include "quoin/solid/overlay/contacts.h"
 
 namespace quoin::overlay {
@@ -19,31 +19,11 @@ constexpr std::size_t next(std::size_t k) {
 // inside[j][i]: side of corner i of one facet with respect to edge j of the other.
 using Sides = std::array<std::array<Sign, 3>, 3>;
 
-// The axis of the largest normal component in doubles for which the exact projection does not vanish.
-unsigned projection_axis(const Constructions& table, const Corners& c) {
-  const Point3& a = table.rounded(c[0]);
-  const Point3& b = table.rounded(c[1]);
-  const Point3& d = table.rounded(c[2]);
-  std::array<double, 3> size{};
-  for (unsigned k = 0; k < 3; ++k) {
-    const unsigned u = (k + 1) % 3;
-    const unsigned v = (k + 2) % 3;
-    size[k] = std::fabs((b[u] - a[u]) * (d[v] - a[v]) - (b[v] - a[v]) * (d[u] - a[u]));
-  }
-  std::array<unsigned, 3> order{0, 1, 2};
-  if (size[order[0]] < size[order[1]]) std::swap(order[0], order[1]);
-  if (size[order[0]] < size[order[2]]) std::swap(order[0], order[2]);
-  for (const unsigned axis : order) {
-    if (table.turn(c[0], c[1], c[2], axis) != Sign::zero) return axis;
-  }
-  throw InternalError("a facet without area reached the overlay");
-}
-
 class CoplanarPair {
  public:
   CoplanarPair(const Constructions& table, const Corners& s, const Corners& t, FacetPair pair, Contacts& out)
       : table_(table), pair_(pair), s_(s), t_(t), out_(out) {
-    axis_ = projection_axis(table_, s_);
+    axis_ = projection_axis(table_, s_[0], s_[1], s_[2]);
   }
 
   void run() {

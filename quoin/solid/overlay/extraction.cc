@@ -2,10 +2,10 @@
 #include "quoin/solid/overlay/extraction.h"
 
 #include <algorithm>
-#include <cmath>
 #include <tuple>
 
-#include "quoin/solid/overlay/disjoint_sets.h"
+#include "quoin/base/disjoint_sets.h"
+#include "quoin/kernel/projection.h"
 #include "quoin/solid/overlay/face_loops.h"
 #include "quoin/solid/overlay/shell_orientation.h"
 #include "quoin/solid/overlay/vertex_dissolving.h"
@@ -58,7 +58,7 @@ class Extractor {
     for (const Patch& patch : complex_.patches) {
       const bool front = truth_.inside[patch.front] != 0;
       const bool back = truth_.inside[patch.back] != 0;
-      const bool stands_for_itself = complex_.patches[patch.wall].sheet == patch.sheet;
+      const bool stands_for_itself = patch.wall == fates_.size();
       fates_.push_back(front == back || !stands_for_itself ? Fate::dropped : back ? Fate::kept : Fate::reversed);
     }
     for (const auto& leaf : scene_.leaves) has_colors_ = has_colors_ || !leaf->face_colors.empty();
@@ -230,30 +230,11 @@ class Extractor {
     const auto first_origin = brep_.origins.begin() + brep_.face_first_origin.back();
     std::sort(first_origin, brep_.origins.end());
     brep_.origins.erase(std::unique(first_origin, brep_.origins.end()), brep_.origins.end());
-    const unsigned axis = axis_across(corners);
+    const unsigned axis = projection_axis(scene_.table, corners[0], corners[1], corners[2]);
     const Sign up = scene_.table.turn(corners[0], corners[1], corners[2], axis);
     const bool positive = (up == Sign::positive) != (fate(sheet) == Fate::reversed);
     chain_loops(scene_.table, boundary, axis, positive, brep_.loop_vertices, brep_.loop_begin);
     end_face();
-  }
-
-  unsigned axis_across(const std::array<PointId, 3>& c) const {
-    const Constructions& table = scene_.table;
-    const Point3& a = table.rounded(c[0]);
-    const Point3& b = table.rounded(c[1]);
-    const Point3& d = table.rounded(c[2]);
-    unsigned best = 3;
-    double size = -1;
-    for (unsigned k = 0; k < 3; ++k) {
-      const unsigned u = (k + 1) % 3;
-      const unsigned v = (k + 2) % 3;
-      const double s = std::fabs((b[u] - a[u]) * (d[v] - a[v]) - (b[v] - a[v]) * (d[u] - a[u]));
-      if (s > size && table.turn(c[0], c[1], c[2], k) != Sign::zero) {
-        best = k;
-        size = s;
-      }
-    }
-    return best;
   }
 
   std::uint32_t shell_of(std::uint32_t patch) {

@@ -32,6 +32,7 @@ class LoopChainer {
         used_[e] = true;
         vertices.push_back(edges_[e].from);
         e = next(e);
+        if (used_[e] && e != first) throw InternalError("the boundary of a face is not a set of loops");
       } while (e != first);
       loop_ends.push_back(static_cast<std::uint32_t>(vertices.size()));
     }

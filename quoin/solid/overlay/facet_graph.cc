@@ -29,7 +29,7 @@ void FacetGraph::add_boundary() {
     chain_.assign(1, from);
     for (const PointOnEdge& p : network_.points_on(edge_between(from, to))) chain_.push_back(p.point);
     chain_.push_back(to);
-    sort_chain(1);
+    sort_chain();
     add_chain(k);
   }
 }
@@ -43,14 +43,14 @@ void FacetGraph::add_curves() {
       if (crossing->point != curves_[i].from && crossing->point != curves_[i].to) chain_.push_back(crossing->point);
     }
     chain_.push_back(curves_[i].to);
-    sort_chain(1);
+    sort_chain();
     add_chain(3 + i);
   }
 }
 
 // Orders the inner points of a chain from its first to its last point, along a coordinate in which these differ.
-void FacetGraph::sort_chain(std::size_t first_inner) {
-  if (chain_.size() < first_inner + 3) return;
+void FacetGraph::sort_chain() {
+  if (chain_.size() < 4) return;
   const PointId from = chain_.front();
   const PointId to = chain_.back();
   unsigned axis = 0;
@@ -63,7 +63,7 @@ void FacetGraph::sort_chain(std::size_t first_inner) {
     axis = (axis + 1) % 3;
     direction = table_.compare(to, from, axis);
   }
-  std::sort(chain_.begin() + static_cast<std::ptrdiff_t>(first_inner), chain_.end() - 1,
+  std::sort(chain_.begin() + 1, chain_.end() - 1,
             [&](PointId p, PointId q) { return table_.compare(q, p, axis) * direction == Sign::positive; });
 }
 

@@ -56,7 +56,7 @@ class FacetGraph {
   void add_boundary();
   void add_curves();
   void add_chain(std::uint32_t line);
-  void sort_chain(std::size_t first_inner);
+  void sort_chain();
   void number_nodes();
   void link();
   void sort_around(std::uint32_t node);

@@ -8,23 +8,10 @@
 
 #include "quoin/base/context.h"
 #include "quoin/solid/overlay/contacts.h"
+#include "quoin/solid/overlay/point_merger.h"
 #include "quoin/solid/overlay/scene.h"
 
 namespace quoin::overlay {
-
-/// Gives equal points one id: the smallest of those inserted.
-class PointMerger {
- public:
-  explicit PointMerger(const Constructions& table) : table_(&table) {}
-  /// The id that stands for the point; the point's own when it is the first of its value.
-  PointId insert(PointId point);
-
- private:
-  void grow();
-  const Constructions* table_;
-  std::vector<std::uint32_t> slots_;
-  std::size_t used_ = 0;
-};
 
 /// A vertex strictly inside an edge.
 struct PointOnEdge {

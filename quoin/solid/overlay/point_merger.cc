@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <bit>
+#include "quoin/solid/overlay/point_merger.h"
 
-#include "quoin/solid/overlay/network.h"
+#include "quoin/base/id.h"
+#include "quoin/kernel/point_hash.h"
 
 namespace quoin::overlay {
 
 namespace {
 
-std::size_t hash_of(const Point3& p) {
-  std::uint64_t h = std::bit_cast<std::uint64_t>(p.x) * 0x9E3779B97F4A7C15U;
-  h = (h ^ (h >> 29) ^ std::bit_cast<std::uint64_t>(p.y)) * 0xBF58476D1CE4E5B9U;
-  h = (h ^ (h >> 32) ^ std::bit_cast<std::uint64_t>(p.z)) * 0x94D049BB133111EBU;
-  return h ^ (h >> 31);
-}
+constexpr std::uint32_t none = PointId::none_value;
 
 }  // namespace
 

@@ -2,11 +2,11 @@
 #include "quoin/solid/overlay/scene.h"
 
 #include <algorithm>
-#include <bit>
 #include <numeric>
 
 #include "quoin/base/error.h"
 #include "quoin/base/parallel.h"
+#include "quoin/solid/overlay/point_merger.h"
 
 namespace quoin::overlay {
 
@@ -92,13 +92,6 @@ void add_facets_without_twin(Scene& scene) {
   }
 }
 
-std::uint64_t hash_of(const Point3& p) {
-  std::uint64_t h = std::bit_cast<std::uint64_t>(p.x) * 0x9E3779B97F4A7C15U;
-  h = (h ^ (h >> 29) ^ std::bit_cast<std::uint64_t>(p.y)) * 0xBF58476D1CE4E5B9U;
-  h = (h ^ (h >> 32) ^ std::bit_cast<std::uint64_t>(p.z)) * 0x94D049BB133111EBU;
-  return h ^ (h >> 31);
-}
-
 // Lets the smallest id of each set of equal facet vertices stand for all of them.
 void merge_vertices(Scene& scene) {
   std::vector<std::uint32_t> used;
@@ -111,18 +104,12 @@ void merge_vertices(Scene& scene) {
   }
   std::sort(used.begin(), used.end());
   used.erase(std::unique(used.begin(), used.end()), used.end());
-  const std::size_t mask = std::bit_ceil(2 * used.size() + 1) - 1;
-  std::vector<std::uint32_t> slots(mask + 1, none);
+  PointMerger merger(scene.table);
   for (const std::uint32_t v : used) {
-    const Point3& p = scene.table.rounded(PointId{v});
-    std::size_t slot = hash_of(p) & mask;
-    while (slots[slot] != none && !scene.table.equal(PointId{slots[slot]}, PointId{v})) slot = (slot + 1) & mask;
-    if (slots[slot] == none) {
-      slots[slot] = v;
-    } else {
-      scene.merged[v] = slots[slot];
-      scene.shared[slots[slot]] = true;
-    }
+    const PointId first = merger.insert(PointId{v});
+    if (first.value == v) continue;
+    scene.merged[v] = first.value;
+    scene.shared[first.value] = true;
   }
 }
 

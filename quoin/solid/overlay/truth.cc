@@ -112,17 +112,16 @@ class CellWalk {
   void link_cells() {
     first_wall_.assign(complex_.cell_count + 1, 0);
     for (const Patch& p : complex_.patches) {
-      if (is_wall(p)) {
-        ++first_wall_[p.front + 1];
-        ++first_wall_[p.back + 1];
-      }
+      if (&p != &complex_.patches[p.wall]) continue;
+      ++first_wall_[p.front + 1];
+      ++first_wall_[p.back + 1];
     }
     for (std::size_t c = 0; c < complex_.cell_count; ++c) first_wall_[c + 1] += first_wall_[c];
     walls_.resize(first_wall_.back());
     std::vector<std::uint32_t> fill(first_wall_.begin(), first_wall_.end() - 1);
     for (std::uint32_t p = 0; p < complex_.patches.size(); ++p) {
       const Patch& patch = complex_.patches[p];
-      if (!is_wall(patch)) continue;
+      if (patch.wall != p) continue;
       walls_[fill[patch.front]++] = p;
       walls_[fill[patch.back]++] = p;
     }
@@ -134,8 +133,6 @@ class CellWalk {
     }
     std::sort(coincident_.begin(), coincident_.end());
   }
-
-  bool is_wall(const Patch& patch) const { return complex_.patches[patch.wall].sheet == patch.sheet; }
 
   void enter(std::uint32_t cell, std::uint32_t wall) {
     seen_[cell] = true;

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "quoin/base/error.h"
+#include "quoin/kernel/projection.h"
 
 namespace quoin::overlay {
 
@@ -32,24 +33,6 @@ RationalPoint3 mean(const RationalPoint3& a, const RationalPoint3& b) {
 RationalPoint3 mean(const RationalPoint3& a, const RationalPoint3& b, const RationalPoint3& c) {
   const Rational third = Rational(1.0) / Rational(3.0);
   return {(a.x + b.x + c.x) * third, (a.y + b.y + c.y) * third, (a.z + b.z + c.z) * third};
-}
-
-unsigned largest_axis(const Constructions& table, const Corners& c) {
-  const Point3& a = table.rounded(c[0]);
-  const Point3& b = table.rounded(c[1]);
-  const Point3& d = table.rounded(c[2]);
-  unsigned best = 0;
-  double size = -1;
-  for (unsigned k = 0; k < 3; ++k) {
-    const unsigned u = (k + 1) % 3;
-    const unsigned v = (k + 2) % 3;
-    const double s = std::fabs((b[u] - a[u]) * (d[v] - a[v]) - (b[v] - a[v]) * (d[u] - a[u]));
-    if (s > size && table.turn(c[0], c[1], c[2], k) != Sign::zero) {
-      best = k;
-      size = s;
-    }
-  }
-  return best;
 }
 
 // A corner of the polygon next to which a point inside is easy to find: O'Rourke, Computational Geometry in C,
@@ -249,7 +232,7 @@ RationalPoint3 interior_point(const Sheets& sheets, std::uint32_t sheet) {
 SheetWinding winding_at(const Sheets& sheets, std::uint32_t sheet) {
   const Scene& scene = *sheets.scene;
   const Corners corners = sheets.corners(sheet);
-  const unsigned axis = largest_axis(scene.table, corners);
+  const unsigned axis = projection_axis(scene.table, corners[0], corners[1], corners[2]);
   const LineThroughPoint line(scene.table, interior_point(sheets, sheet), axis);
   const double u = line.near()[(axis + 1) % 3];
   const double v = line.near()[(axis + 2) % 3];

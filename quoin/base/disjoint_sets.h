@@ -5,7 +5,7 @@
 #include <numeric>
 #include <vector>
 
-namespace quoin::overlay {
+namespace quoin {
 
 /// Disjoint sets of 0 ... n-1; the smallest member stands for its set, so the result does not depend on the order of
 /// unions.
@@ -34,4 +34,4 @@ class DisjointSets {
   std::vector<std::uint32_t> parent_;
 };
 
-}  // namespace quoin::overlay
+}  // namespace quoin
