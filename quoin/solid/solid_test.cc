@@ -336,6 +336,65 @@ TEST(Solid, CancellationLeavesInputsUsable) {
   expect_valid(unite_two(a, b));
 }
 
+TEST(Solid, BoxesAtTheEndsOfTheRange) {
+  for (const int exponent : {-1070, -800, 800, 1019}) {
+    const double unit = std::ldexp(1.0, exponent);
+    const auto at = [&](double x, double y, double z) { return Point3{unit * x, unit * y, unit * z}; };
+    Rational cubic(1);
+    for (int i = 0; i < 3; ++i) cubic *= Rational(unit);
+    SCOPED_TRACE(exponent);
+    const Solid a = box(at(0, 0, 0), at(4, 4, 4));
+    expect_solid(minus(a, box(at(1, 1, 0), at(2, 2, 4))), Rational(60) * cubic, 16, 24, 10, 12, 1);
+    expect_solid(unite_two(a, box(at(4, 0, 0), at(8, 4, 4))), Rational(128) * cubic, 8, 12, 6, 6, 1);
+    expect_solid(minus(a, box(at(1, 1, 1), at(2, 2, 2))), Rational(63) * cubic, 16, 24, 12, 12, 2);
+  }
+}
+
+TEST(Solid, OperandsThatWereNotEvaluatedSaySo) {
+  const Solid operand = Solid::of_leaf(make_leaf(shapes::cube(), {}, one_thread).leaf);
+  EXPECT_THROW(operand.boundary(), Error);
+  EXPECT_THROW(static_cast<void>(operand.is_empty()), Error);
+  EXPECT_EQ(volume_of(unite({&operand, 1}, one_thread)), Rational(1));
+}
+
+TEST(Solid, ExactTextKeepsNamesAndColors) {
+  Mesh mesh = shapes::cube();
+  mesh.name = "a  name # with 100% of \t everything";
+  for (std::uint8_t f = 0; f < 6; ++f) mesh.face_colors.push_back({f, 2, 3, 255});
+  const Solid s = solid(mesh);
+  std::ostringstream out;
+  write_exact_text(out, s.boundary());
+  const Brep read = read_exact_text(out.str(), "a.qsolid");
+  EXPECT_EQ(read.leaf_names, s.boundary().leaf_names);
+  EXPECT_EQ(read.face_colors, s.boundary().face_colors);
+  EXPECT_EQ(read.face_colors.size(), 6U);
+}
+
+TEST(Exit, CoordinatesBeyondThePrecisionAreRefused) {
+  ExitOptions options;
+  options.precision = Precision::binary32;
+  EXPECT_THROW(triangulate_boundary(box({0, 0, 0}, {1e39, 1, 1}).boundary(), options, one_thread), InputError);
+}
+
+TEST(Exit, UnboundedSetsKeepTheirBoundary) {
+  for (const double angle : {1e-13, 1e-15}) {
+    std::vector<Solid> cubes;
+    for (int i = 0; i < 3; ++i) {
+      cubes.push_back(
+          solid(shapes::rotated(shapes::box({-1, -1, -1}, {1, 1, 1}), static_cast<shapes::Axis>(i), angle * (i + 1))));
+    }
+    const Solid outside = complement(unite(cubes, one_thread), one_thread);
+    const Triangulated t = triangulate_boundary(outside.boundary(), {}, one_thread);
+    SCOPED_TRACE(testing::Message() << "angle " << angle << " rounds " << t.rounds);
+    Mesh mesh;
+    mesh.vertices = t.vertices;
+    for (const Tile& tile : t.triangles) mesh.add_face(tile);
+    const LeafResult leaf = make_leaf(shapes::reversed(mesh), {}, one_thread);
+    ASSERT_NE(leaf.leaf, nullptr);
+    EXPECT_NEAR(rounded_volume(Solid::from_leaf(leaf.leaf, one_thread).boundary(), one_thread), 8, 1e-6);
+  }
+}
+
 TEST(Exit, BothPrecisionsAreCertifiedAndClosed) {
   const Solid s = unite_two(solid(shapes::geodesic_sphere(6)),
                             solid(shapes::translated(shapes::geodesic_sphere(6), {0.5, 0.1, 0.2})));
@@ -357,31 +416,37 @@ TEST(Exit, BothPrecisionsAreCertifiedAndClosed) {
   }
 }
 
-// Cubes turned by tiny angles: features far thinner than the spacing of doubles may need rounds of snapping; whatever
-// comes out must say truly whether it crosses itself.
-TEST(Exit, NearlyCoincidentCubesAreReportedTruly) {
-  for (const double angle : {1e-5, 1e-9, 1e-13, 1e-15}) {
-    std::vector<Solid> cubes;
-    for (int i = 0; i < 4; ++i) {
-      const auto axis = static_cast<shapes::Axis>(i % 3);
-      cubes.push_back(solid(shapes::rotated(shapes::rotated(shapes::box({-1, -1, -1}, {1, 1, 1}), axis, angle * i),
-                                            shapes::Axis::z, angle * 0.7 * i)));
-    }
-    const Solid s = unite(cubes, one_thread);
-    expect_valid(s);
-    const Triangulated t = triangulate_boundary(s.boundary(), {}, one_thread);
-    SCOPED_TRACE(testing::Message() << "angle " << angle << " rounds " << t.rounds);
-    Mesh mesh;
-    mesh.vertices = t.vertices;
-    for (const Tile& tile : t.triangles) mesh.add_face(tile);
-    const LeafResult leaf = make_leaf(mesh, {}, one_thread);
-    if (t.rounding != Rounding::failed) {
+// Cubes turned by tiny angles: features far thinner than the spacing of doubles need rounds of snapping. Whatever comes
+// out must be closed, and free of crossings to a check that starts from nothing.
+TEST(Exit, NearlyCoincidentCubesAreSnappedUntilNothingCrosses) {
+  std::size_t snapped = 0;
+  for (const bool is_union : {true, false}) {
+    for (const double angle : {1e-5, 1e-9, 1e-13, 3e-16}) {
+      std::vector<Solid> cubes;
+      for (int i = 0; i < 8; ++i) {
+        Mesh mesh = shapes::box({-1, -1, -1}, {1, 1, 1});
+        for (int k = 0; k < 3; ++k)
+          mesh = shapes::rotated(mesh, static_cast<shapes::Axis>(k), angle * ((i * 7 + k * 3) % 11 - 5));
+        cubes.push_back(Solid::of_leaf(make_leaf(mesh, {}, one_thread).leaf));
+      }
+      const Solid s = is_union ? unite(cubes, one_thread) : intersect(cubes, one_thread);
+      expect_valid(s);
+      const Triangulated t = triangulate_boundary(s.boundary(), {}, one_thread);
+      SCOPED_TRACE(testing::Message() << "angle " << angle << " union " << is_union << " rounds " << t.rounds);
+      ASSERT_EQ(t.rounding, Rounding::certified);
+      snapped += t.rounds > 0 ? 1 : 0;
+      Mesh mesh;
+      mesh.vertices = t.vertices;
+      for (const Tile& tile : t.triangles) mesh.add_face(tile);
+      const LeafResult leaf = make_leaf(mesh, {}, one_thread);
       ASSERT_NE(leaf.leaf, nullptr);
       EXPECT_EQ(leaf.diagnosis.crossing_faces.count, 0U);
       EXPECT_EQ(leaf.diagnosis.degenerate_faces.count, 0U);
+      EXPECT_NEAR(rounded_volume(Solid::from_leaf(leaf.leaf, one_thread).boundary(), one_thread),
+                  rounded_volume(s.boundary(), one_thread), 24 * t.max_displacement);
     }
-    EXPECT_NE(t.rounding, Rounding::failed);
   }
+  EXPECT_GT(snapped, 4U);
 }
 
 }  // namespace
