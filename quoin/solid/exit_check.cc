@@ -2,8 +2,11 @@
 #include "quoin/solid/exit_check.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "quoin/base/parallel.h"
+#include "quoin/solid/occupancy_grid.h"
 #include "quoin/solid/overlay/contacts.h"
 
 namespace quoin {
@@ -40,18 +43,33 @@ class CrossingFinder {
   void find_pairs() {
     for (const TilePair& pair : tree_.self_pairs(context_))
       pairs_.push_back({moved_triangles_[pair.a], moved_triangles_[pair.b]});
+    const std::optional<OccupancyGrid> grid = make_grid();
     constexpr std::size_t grain = 8192;
     std::vector<std::vector<TilePair>> found(chunk_count(triangles_.size(), grain));
     for_each_chunk(context_, triangles_.size(), grain, [&](const Chunk& chunk) {
       std::vector<std::uint32_t> hits;
       for (auto t = static_cast<std::uint32_t>(chunk.begin); t < chunk.end; ++t) {
         if (has_moved(triangles_[t])) continue;
+        if (grid && !grid->may_meet(box_of(vertices_, triangles_[t]))) continue;
         hits.clear();
         find_moved_near(triangles_[t], hits);
         for (const std::uint32_t h : hits) found[chunk.index].push_back({moved_triangles_[h], t});
       }
     });
     for (const auto& part : found) pairs_.insert(pairs_.end(), part.begin(), part.end());
+  }
+
+  // Pays where most triangles stayed in place and few boxes are large.
+  std::optional<OccupancyGrid> make_grid() const {
+    const std::size_t others = triangles_.size() - tiles_.size();
+    if (others / 4 < tiles_.size()) return std::nullopt;
+    std::optional<OccupancyGrid> grid{std::in_place, tree_.bounds()};
+    std::size_t rows = 0;
+    for (const Tile& tile : tiles_) {
+      rows += grid->add(box_of(vertices_, tile));
+      if (rows > 4 * others) return std::nullopt;
+    }
+    return grid;
   }
 
   void find_moved_near(const Tile& t, std::vector<std::uint32_t>& hits) const {
@@ -68,19 +86,21 @@ class CrossingFinder {
 
   // The points of the pairs alone make the table, so that its grid is not wider than need be.
   void keep_crossing() {
-    std::vector<std::uint32_t> used;
-    for (const TilePair& pair : pairs_) {
-      for (const std::uint32_t t : {pair.a, pair.b})
-        used.insert(used.end(), triangles_[t].begin(), triangles_[t].end());
-    }
-    for (const Tile& t : tiles_) used.insert(used.end(), t.begin(), t.end());
-    std::sort(used.begin(), used.end());
-    used.erase(std::unique(used.begin(), used.end()), used.end());
+    point_of_.assign(vertices_.size(), PointId{});
     std::vector<Point3> points;
-    points.reserve(used.size());
-    for (const std::uint32_t v : used) points.push_back(vertices_[v]);
+    const auto number = [&](const Tile& tile) {
+      for (const std::uint32_t v : tile) {
+        if (point_of_[v] != PointId{}) continue;
+        point_of_[v] = PointId{points.size()};
+        points.push_back(vertices_[v]);
+      }
+    };
+    for (const Tile& t : tiles_) number(t);
+    for (const TilePair& pair : pairs_) {
+      number(triangles_[pair.a]);
+      number(triangles_[pair.b]);
+    }
     table_ = Constructions(std::move(points));
-    number_corners(used);
     constexpr std::size_t grain = 2048;
     std::vector<std::vector<TilePair>> found(chunk_count(pairs_.size(), grain));
     for_each_chunk(context_, pairs_.size(), grain, [&](const Chunk& chunk) {
@@ -93,11 +113,6 @@ class CrossingFinder {
     add_flat_triangles();
     for (const auto& part : found) pairs_.insert(pairs_.end(), part.begin(), part.end());
     std::sort(pairs_.begin(), pairs_.end());
-  }
-
-  void number_corners(const std::vector<std::uint32_t>& used) {
-    point_of_.resize(vertices_.size());
-    for (std::size_t i = 0; i < used.size(); ++i) point_of_[used[i]] = PointId{i};
   }
 
   overlay::Corners corners(std::uint32_t t) const {

@@ -20,13 +20,13 @@ class SelfCrossings {
   SelfCrossings(const Leaf& leaf, const Constructions& points, const Context& context)
       : leaf_(leaf), points_(points), certified_(certify_stars(leaf, context)) {}
 
-  // False where a shared vertex is certified.
-  bool may_meet(const TilePair& pair) const {
-    const Tile& s = leaf_.tiles[pair.a];
-    for (const std::uint32_t v : leaf_.tiles[pair.b]) {
-      if ((v == s[0] || v == s[1] || v == s[2]) && certified_[v] != 0) return false;
+  // Tiles that share a certified vertex meet in nothing else.
+  std::vector<Tile> certified_corners() const {
+    std::vector<Tile> result = leaf_.tiles;
+    for (Tile& tile : result) {
+      for (std::uint32_t& v : tile) v = certified_[v] != 0 ? v : BoxTree::no_label;
     }
-    return true;
+    return result;
   }
 
   bool meet(const TilePair& pair) const {
@@ -82,8 +82,7 @@ void find_self_crossings(Leaf& leaf, const Constructions& points, std::size_t ma
                          const Context& context) {
   context.progress("self-crossings", 0);
   const SelfCrossings crossings(leaf, points, context);
-  const std::vector<TilePair> pairs =
-      leaf.tree.self_pairs([&](const TilePair& pair) { return crossings.may_meet(pair); }, context);
+  const std::vector<TilePair> pairs = leaf.tree.self_pairs(crossings.certified_corners(), context);
   constexpr std::size_t grain = 4096;
   std::vector<std::vector<FacePair>> found(chunk_count(pairs.size(), grain));
   for_each_chunk(context, pairs.size(), grain, [&](const Chunk& chunk) {

@@ -1,116 +1,140 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Bounds, u = 2^-53. The determinant: each of six terms carries 2 differences, 2 products and at most 5 sums, so the
-// error is below 9 u (1 + 10 u) times the sum of the terms' magnitudes. The planar product: 1 difference, 1 product, 1
-// sum in 2 terms: below 3 u (1 + 4 u) times theirs. 1.5e-15 exceeds both as long as nothing underflows, which sums
-// above 1e-250 exclude.
+// Bounds, u = 2^-53, for a tile with edges e0, e1, e2 along its boundary, A, B the largest components of e0, e2 and D
+// that of d. A component of the normal e0 x -e2 is a difference of products below A B with roundings of 2 differences
+// and a product each, and its own: off by 2 * 3 u A B + 2 u A B = 8 u A B; its product with a component of d by 8 u A B
+// D + 2 u A B D, three of them and their two sums (below 4 and 6 A B D) by 30 + 4 + 6 = 40 u A B D < 2^-47 A B D. The
+// planar product w . e of two terms, one difference and one product in each and a sum: below 2 (2 u) + 2 u = 6 u |w|
+// |e| with the largest components; the third term is zero. 2^-47 exceeds both, higher orders included, as long as
+// nothing underflows, which sizes of products of two and of three above 1e-250 exclude; an infinite size decides
+// nothing.
 #include "quoin/solid/star_certificate.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 namespace quoin {
 
 namespace {
 
-constexpr double relative_bound = 1.5e-15;
+constexpr double relative_bound = 0x1p-47;
 constexpr double smallest_safe = 1e-250;
 
 Vector3 minus(const Point3& a, const Point3& b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
-bool is_certain(double value, double size) {
-  return size > smallest_safe && std::fabs(value) > relative_bound * size;
+double dot(const Vector3& a, const Vector3& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
 }
+
+double largest(const Vector3& v) {
+  return std::max(std::max(std::fabs(v.x), std::fabs(v.y)), std::fabs(v.z));
+}
+
+bool is_certain(double value, double size) {
+  return (size > smallest_safe) & (std::fabs(value) > relative_bound * size);
+}
+
+// A tile's edges from corner k to k + 1, and its normal.
+struct Edges {
+  std::array<Vector3, 3> edge;
+  std::array<double, 3> size;
+  Vector3 normal;
+
+  Edges(const std::vector<Point3>& vertices, const Tile& tile) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      edge[k] = minus(vertices[tile[(k + 1) % 3]], vertices[tile[k]]);
+      size[k] = largest(edge[k]);
+    }
+    const Vector3& a = edge[0];
+    const Vector3& b = edge[2];
+    normal = {a.z * b.y - a.y * b.z, a.x * b.z - a.z * b.x, a.y * b.x - a.x * b.y};
+  }
+};
+
+// How the star of a vertex is looked at: along d, the sum of its normals, counting passes of the half-line in the plane
+// w . e = 0, where w is the product of d with the axis least aligned with it, hence exactly orthogonal to d.
+struct View {
+  Vector3 d;
+  Vector3 w;
+  double d_size = 0;
+  double w_size = 0;
+
+  void choose_half_line() {
+    const double x = std::fabs(d.x);
+    const double y = std::fabs(d.y);
+    const double z = std::fabs(d.z);
+    w = {-d.y, d.x, 0};
+    if (x <= y && x <= z) {
+      w = {0, -d.z, d.y};
+    } else if (y <= z) {
+      w = {d.z, 0, -d.x};
+    }
+    d_size = largest(d);
+    w_size = largest(w);
+  }
+};
 
 class StarCertifier {
  public:
   StarCertifier(const Leaf& leaf, const Context& context)
-      : leaf_(leaf),
-        context_(context),
-        axes_(leaf.vertices.size()),
-        turns_(leaf.vertices.size(), 0),
-        certain_(leaf.vertices.size(), 1) {}
+      : leaf_(leaf), context_(context), views_(leaf.vertices.size()), turns_(leaf.vertices.size(), 0) {}
 
   std::vector<std::uint8_t> run() {
     sum_normals();
+    for (View& view : views_) view.choose_half_line();
     for (std::uint32_t t = 0; t < leaf_.tiles.size(); ++t) {
       if (t % 16384 == 0) context_.poll();
-      for (std::uint32_t k = 0; k < 3; ++k) look_at(t, k);
+      look_at(t);
     }
-    for (std::size_t v = 0; v < certain_.size(); ++v) {
-      if (turns_[v] != 1) certain_[v] = 0;
-    }
-    return std::move(certain_);
+    for (std::uint8_t& turn : turns_) turn = turn == 1 ? 1 : 0;
+    return std::move(turns_);
   }
 
  private:
+  static constexpr std::uint8_t uncertain = 0x80;
+
   void sum_normals() {
     for (std::uint32_t t = 0; t < leaf_.tiles.size(); ++t) {
       if (t % 16384 == 0) context_.poll();
       const Tile& tile = leaf_.tiles[t];
-      const Vector3 a = minus(leaf_.vertices[tile[1]], leaf_.vertices[tile[0]]);
-      const Vector3 b = minus(leaf_.vertices[tile[2]], leaf_.vertices[tile[0]]);
+      const Edges edges(leaf_.vertices, tile);
       for (const std::uint32_t v : tile) {
-        axes_[v].x += a.y * b.z - a.z * b.y;
-        axes_[v].y += a.z * b.x - a.x * b.z;
-        axes_[v].z += a.x * b.y - a.y * b.x;
+        views_[v].d.x += edges.normal.x;
+        views_[v].d.y += edges.normal.y;
+        views_[v].d.z += edges.normal.z;
       }
     }
   }
 
-  void look_at(std::uint32_t t, std::uint32_t k) {
+  void look_at(std::uint32_t t) {
     const Tile& tile = leaf_.tiles[t];
-    const std::uint32_t v = tile[k];
-    if (certain_[v] == 0) return;
-    if (leaf_.twins[3 * t + k] == Leaf::no_twin || leaf_.twins[3 * t + (k + 2) % 3] == Leaf::no_twin) {
-      certain_[v] = 0;
-      return;
+    const Edges edges(leaf_.vertices, tile);
+    const double normal_size = edges.size[0] * edges.size[2];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t before = (k + 2) % 3;
+      const View& view = views_[tile[k]];
+      const double det = dot(edges.normal, view.d);
+      const double out = dot(edges.edge[k], view.w);
+      const double in = dot(edges.edge[before], view.w);  // towards the vertex
+      const bool has_twins = (leaf_.twins[3 * t + k] != Leaf::no_twin) & (leaf_.twins[3 * t + before] != Leaf::no_twin);
+      const bool certain = has_twins & (det > 0) & (normal_size > smallest_safe) &
+                           is_certain(det, normal_size * view.d_size) & is_certain(out, edges.size[k] * view.w_size) &
+                           is_certain(in, edges.size[before] * view.w_size);
+      std::uint8_t& turns = turns_[tile[k]];
+      const bool passes = (out < 0) & (in < 0);
+      const auto counted = static_cast<std::uint8_t>(std::min<unsigned>(turns & 0x7FU, 2U) + (passes ? 1U : 0U));
+      turns = static_cast<std::uint8_t>(counted | (turns & uncertain) | (certain ? 0U : uncertain));
     }
-    const Vector3 a = minus(leaf_.vertices[tile[(k + 1) % 3]], leaf_.vertices[v]);
-    const Vector3 b = minus(leaf_.vertices[tile[(k + 2) % 3]], leaf_.vertices[v]);
-    const Vector3& d = axes_[v];
-    const double terms[] = {a.x * b.y * d.z, a.y * b.z * d.x, a.z * b.x * d.y,
-                            a.x * b.z * d.y, a.y * b.x * d.z, a.z * b.y * d.x};
-    double size = 0;
-    for (const double term : terms) size += std::fabs(term);
-    const double det = (terms[0] - terms[4]) + (terms[1] - terms[5]) + (terms[2] - terms[3]);
-    const Crossing before = across(a, d);
-    const Crossing after = across(b, d);
-    if (!(is_certain(det, size) && det > 0 && before.is_certain && after.is_certain)) {
-      certain_[v] = 0;
-      return;
-    }
-    if (before.value < 0 && after.value > 0 && turns_[v] < 2) ++turns_[v];
-  }
-
-  struct Crossing {
-    double value;
-    bool is_certain;
-  };
-
-  // (d x r) . e for the axis r least aligned with d: which side of the plane through d and r the edge lies on.
-  static Crossing across(const Vector3& e, const Vector3& d) {
-    const double x = std::fabs(d.x);
-    const double y = std::fabs(d.y);
-    const double z = std::fabs(d.z);
-    double p = d.x * e.y;  // r along z
-    double q = d.y * e.x;
-    if (x <= y && x <= z) {
-      p = d.y * e.z;
-      q = d.z * e.y;
-    } else if (y <= z) {
-      p = d.z * e.x;
-      q = d.x * e.z;
-    }
-    return {p - q, is_certain(p - q, std::fabs(p) + std::fabs(q))};
   }
 
   const Leaf& leaf_;
   const Context& context_;
-  std::vector<Vector3> axes_;
-  std::vector<std::uint8_t> turns_;
-  std::vector<std::uint8_t> certain_;
+  std::vector<View> views_;
+  std::vector<std::uint8_t> turns_;  // how often each star passes the half-line, up to 3, and whether that is uncertain
 };
 
 }  // namespace

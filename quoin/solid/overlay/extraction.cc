@@ -105,7 +105,7 @@ class Extractor {
         const std::uint32_t a = first + h / 3;
         const std::uint32_t b = first + l.twins[h] / 3;
         if (is_involved(a) || is_involved(b) || fate(a) == Fate::dropped) continue;
-        visit(a, h % 3, b, leaf, l.flat[h] && same_color(a, b));
+        visit(a, h % 3, b, leaf, l.flat[h] != 0 && same_color(a, b));
       }
     }
   }

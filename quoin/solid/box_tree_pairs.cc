@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <array>
+
+#include "quoin/base/parallel.h"
+#include "quoin/solid/box_tree.h"
+
+namespace quoin {
+
+namespace {
+
+using Labels = std::uint32_t __attribute__((vector_size(16)));
+using Mask = BoxBlock::Mask;
+
+// The three labels of each of four tiles. Two sides of a pair say "none" differently, so that none equals nothing.
+struct LabelBlock {
+  std::array<Labels, 3> label;
+};
+constexpr std::uint32_t other_no_label = BoxTree::no_label - 1;
+
+}  // namespace
+
+// One query for pairs: opens node pairs breadth first into tasks, whose number depends on the trees alone, and lets
+// each task descend depth first.
+class BoxTreePairs {
+ public:
+  BoxTreePairs(const BoxTree& a, const BoxTree& b, bool is_self, std::span<const Tile> labels, const Context& context)
+      : a_(a), b_(b), is_self_(is_self), labels_(labels), context_(context) {}
+
+  std::vector<TilePair> run() {
+    if (a_.nodes_.empty() || b_.nodes_.empty() || !meet(a_.nodes_[0].box, b_.nodes_[0].box)) return {};
+    gather_labels();
+    const std::vector<NodePair> tasks = make_tasks();
+    std::vector<std::vector<TilePair>> found(tasks.size());
+    for_each_chunk(context_, tasks.size(), 1,
+                   [&](const Chunk& chunk) { descend(tasks[chunk.index], found[chunk.index]); });
+    std::size_t count = 0;
+    for (const auto& part : found) count += part.size();
+    std::vector<TilePair> result;
+    result.reserve(count);
+    for (const auto& part : found) result.insert(result.end(), part.begin(), part.end());
+    return result;
+  }
+
+ private:
+  using Node = BoxTree::Node;
+  struct NodePair {
+    std::uint32_t a;
+    std::uint32_t b;
+  };
+
+  void gather_labels() {
+    if (labels_.empty()) return;
+    label_blocks_.resize(a_.blocks_.size());
+    for_each_chunk(context_, label_blocks_.size(), 8192, [&](const Chunk& chunk) {
+      for (std::size_t block = chunk.begin; block < chunk.end; ++block) {
+        for (std::size_t lane = 0; lane < 4; ++lane) {
+          const Tile& labels = labels_[a_.block_tiles_[block][lane]];
+          for (std::size_t k = 0; k < 3; ++k) label_blocks_[block].label[k][lane] = labels[k];
+        }
+      }
+    });
+  }
+
+  bool is_final(NodePair pair) const {
+    return a_.nodes_[pair.a].block_count != 0 && b_.nodes_[pair.b].block_count != 0;
+  }
+
+  std::vector<NodePair> make_tasks() const {
+    std::vector<NodePair> tasks{{0, 0}};
+    std::vector<NodePair> next;
+    for (int level = 0; level < 12 && tasks.size() < 256; ++level) {
+      next.clear();
+      for (const NodePair pair : tasks) {
+        if (is_final(pair)) {
+          next.push_back(pair);
+        } else {
+          expand(pair, next);
+        }
+      }
+      tasks.swap(next);
+    }
+    return tasks;
+  }
+
+  void descend(NodePair top, std::vector<TilePair>& out) const {
+    std::vector<NodePair> stack{top};
+    std::size_t steps = 0;
+    while (!stack.empty()) {
+      if (++steps % 4096 == 0) context_.poll();
+      const NodePair pair = stack.back();
+      stack.pop_back();
+      if (is_final(pair)) {
+        report(pair, out);
+      } else {
+        expand(pair, stack);
+      }
+    }
+  }
+
+  // The pairs of children that meet; the larger node is opened, so that both sides shrink alike.
+  void expand(NodePair pair, std::vector<NodePair>& out) const {
+    const Node& x = a_.nodes_[pair.a];
+    const Node& y = b_.nodes_[pair.b];
+    if (is_self_ && pair.a == pair.b) {
+      out.push_back({x.second_or_block, x.second_or_block});
+      push(pair.a + 1, x.second_or_block, out);
+      out.push_back({pair.a + 1, pair.a + 1});
+      return;
+    }
+    if (y.block_count != 0 || (x.block_count == 0 && extent(x) >= extent(y))) {
+      push(x.second_or_block, pair.b, out);
+      push(pair.a + 1, pair.b, out);
+    } else {
+      push(pair.a, y.second_or_block, out);
+      push(pair.a, pair.b + 1, out);
+    }
+  }
+
+  void push(std::uint32_t i, std::uint32_t j, std::vector<NodePair>& out) const {
+    if (meet(a_.nodes_[i].box, b_.nodes_[j].box)) out.push_back({i, j});
+  }
+
+  static float extent(const Node& n) {
+    return (n.box.hi[0] - n.box.lo[0]) + (n.box.hi[1] - n.box.lo[1]) + (n.box.hi[2] - n.box.lo[2]);
+  }
+
+  void report(NodePair pair, std::vector<TilePair>& out) const {
+    const Node& x = a_.nodes_[pair.a];
+    const Node& y = b_.nodes_[pair.b];
+    const bool same = is_self_ && pair.a == pair.b;
+    std::array<std::uint32_t, 4> candidates;
+    std::size_t count = 0;
+    for (std::uint32_t q = y.second_or_block; q < y.second_or_block + y.block_count; ++q) {
+      if (same || is_any(b_.blocks_[q].meets(x.box))) candidates[count++] = q;
+    }
+    for (std::uint32_t p = x.second_or_block; p < x.second_or_block + x.block_count; ++p) {
+      const Mask alive = a_.blocks_[p].meets(y.box);
+      if (!is_any(alive)) continue;
+      for (std::size_t lane = 0; lane < 4; ++lane) {
+        if (alive[lane] == 0) continue;
+        const Box box = a_.blocks_[p].at(lane);
+        for (std::size_t c = 0; c < count; ++c) {
+          const std::uint32_t q = candidates[c];
+          if (same && q < p) continue;
+          Mask hits = b_.blocks_[q].meets(box);
+          if (same && p == q) hits &= after(lane);
+          if (!is_any(hits)) continue;
+          if (!label_blocks_.empty()) hits &= ~have_common_label(p, lane, q);
+          if (is_any(hits)) add(p, lane, q, hits, out);
+        }
+      }
+    }
+  }
+
+  static Mask after(std::size_t lane) {
+    constexpr Mask lanes = {0, 1, 2, 3};
+    return lanes > static_cast<std::int32_t>(lane);
+  }
+
+  Mask have_common_label(std::uint32_t p, std::size_t lane, std::uint32_t q) const {
+    Mask result = {0, 0, 0, 0};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t own = label_blocks_[p].label[i][lane];
+      const std::uint32_t label = own == BoxTree::no_label ? other_no_label : own;
+      for (std::size_t j = 0; j < 3; ++j) result |= label_blocks_[q].label[j] == label;
+    }
+    return result;
+  }
+
+  void add(std::uint32_t p, std::size_t lane, std::uint32_t q, const Mask& hits, std::vector<TilePair>& out) const {
+    const std::uint32_t s = a_.block_tiles_[p][lane];
+    for (std::size_t other = 0; other < 4; ++other) {
+      if (hits[other] == 0) continue;
+      const std::uint32_t t = b_.block_tiles_[q][other];
+      out.push_back(is_self_ && t < s ? TilePair{t, s} : TilePair{s, t});
+    }
+  }
+
+  const BoxTree& a_;
+  const BoxTree& b_;
+  bool is_self_;
+  std::span<const Tile> labels_;
+  std::vector<LabelBlock> label_blocks_;  // per block of a_; empty without labels
+  const Context& context_;
+};
+
+std::vector<TilePair> BoxTree::pairs(const BoxTree& a, const BoxTree& b, const Context& context) {
+  return BoxTreePairs(a, b, false, {}, context).run();
+}
+
+std::vector<TilePair> BoxTree::self_pairs(const Context& context) const {
+  return BoxTreePairs(*this, *this, true, {}, context).run();
+}
+
+std::vector<TilePair> BoxTree::self_pairs(std::span<const Tile> labels, const Context& context) const {
+  return BoxTreePairs(*this, *this, true, labels, context).run();
+}
+
+}  // namespace quoin
