@@ -136,28 +136,11 @@ class CrossingFinder {
   bool cross(const TilePair& pair) const {
     const overlay::Corners a = corners(pair.a);
     const overlay::Corners b = corners(pair.b);
-    std::size_t shared = 0;
-    for (const PointId p : a) {
-      for (const PointId q : b) {
-        if (p == q) {
-          ++shared;
-        } else if (table_.rounded(p) == table_.rounded(q)) {
-          return true;
-        }
-      }
-    }
-    if (shared == 3) return true;
-    if (shared == 2 && orientation_of_apex(a, b) != Sign::zero) return false;
+    if (overlay::have_equal_corners(table_, a, b)) return true;
+    if (std::all_of(a.begin(), a.end(), [&](PointId p) { return p == b[0] || p == b[1] || p == b[2]; })) return true;
+    if (overlay::are_separated(table_, a, b)) return false;
     if (is_flat(a) || is_flat(b)) return false;  // listed by itself
     return overlay::have_contacts(table_, a, b);
-  }
-
-  // Of triangles with a common edge: the side of the first one's plane on which the other's third corner lies.
-  Sign orientation_of_apex(const overlay::Corners& a, const overlay::Corners& b) const {
-    for (const PointId q : b) {
-      if (q != a[0] && q != a[1] && q != a[2]) return table_.orientation(a[0], a[1], a[2], q);
-    }
-    return Sign::zero;
   }
 
   std::span<const Point3> vertices_;

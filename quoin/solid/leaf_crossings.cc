@@ -30,45 +30,21 @@ class SelfCrossings {
   }
 
   bool meet(const TilePair& pair) const {
-    const Tile& s = leaf_.tiles[pair.a];
-    const Tile& t = leaf_.tiles[pair.b];
-    std::size_t shared = 0;
-    std::array<bool, 3> is_shared{};
-    for (std::size_t j = 0; j < 3; ++j) {
-      if (t[j] != s[0] && t[j] != s[1] && t[j] != s[2]) continue;
-      is_shared[j] = true;
-      ++shared;
-    }
-    if (have_equal_corners(s, t)) return true;  // one spot, two vertices
-    if (shared == 3) return true;
-    Sign first = Sign::zero;
-    bool one_side = true;
-    bool in_plane = false;
-    for (std::size_t j = 0; j < 3; ++j) {
-      if (is_shared[j]) continue;
-      const Sign side = points_.orientation(PointId{s[0]}, PointId{s[1]}, PointId{s[2]}, PointId{t[j]});
-      if (side == Sign::zero) in_plane = true;
-      if (first == Sign::zero) first = side;
-      if (side != first) one_side = false;
-    }
-    if (one_side && !in_plane) return false;
-    return meet_generally(s, t);
+    const overlay::Corners a = corners(pair.a);
+    const overlay::Corners b = corners(pair.b);
+    if (overlay::have_equal_corners(points_, a, b)) return true;  // one spot, two vertices
+    if (have_same_corners(a, b)) return true;
+    return !overlay::are_separated(points_, a, b) && overlay::have_contacts(points_, a, b);
   }
 
  private:
-  bool have_equal_corners(const Tile& s, const Tile& t) const {
-    for (const std::uint32_t p : s) {
-      for (const std::uint32_t q : t) {
-        if (p != q && leaf_.vertices[p] == leaf_.vertices[q]) return true;
-      }
-    }
-    return false;
+  overlay::Corners corners(std::uint32_t tile) const {
+    const Tile& t = leaf_.tiles[tile];
+    return {PointId{t[0]}, PointId{t[1]}, PointId{t[2]}};
   }
 
-  bool meet_generally(const Tile& s, const Tile& t) const {
-    const std::array<PointId, 3> a{PointId{s[0]}, PointId{s[1]}, PointId{s[2]}};
-    const std::array<PointId, 3> b{PointId{t[0]}, PointId{t[1]}, PointId{t[2]}};
-    return overlay::have_contacts(points_, a, b);
+  static bool have_same_corners(const overlay::Corners& a, const overlay::Corners& b) {
+    return std::all_of(a.begin(), a.end(), [&](PointId p) { return p == b[0] || p == b[1] || p == b[2]; });
   }
 
   const Leaf& leaf_;

@@ -233,6 +233,29 @@ void find_contacts(const Scene& scene, FacetPair pair, Contacts& out) {
   }
 }
 
+bool are_separated(const Constructions& table, const Corners& a, const Corners& b) {
+  const auto on_one_side = [&](const Corners& facet, const Corners& other) {
+    Sign side = Sign::zero;
+    for (const PointId p : facet) {
+      if (p == other[0] || p == other[1] || p == other[2]) continue;
+      const Sign sign = table.orientation(other[0], other[1], other[2], p);
+      if (sign == Sign::zero || sign == -side) return false;
+      side = sign;
+    }
+    return side != Sign::zero;
+  };
+  return on_one_side(b, a) || on_one_side(a, b);
+}
+
+bool have_equal_corners(const Constructions& table, const Corners& a, const Corners& b) {
+  for (const PointId p : a) {
+    for (const PointId q : b) {
+      if (p != q && table.rounded(p) == table.rounded(q)) return true;
+    }
+  }
+  return false;
+}
+
 bool have_contacts(const Constructions& table, const Corners& a, const Corners& b) {
   Contacts contacts;
   if (!PairOfFacets(table, a, b, {0, 1}, contacts).run()) find_coplanar_contacts(table, a, b, {0, 1}, contacts);

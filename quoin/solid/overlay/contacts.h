@@ -79,7 +79,15 @@ struct Contacts {
 /// Source: Guigue and Devillers 2003 for the order of the two intervals on the common line.
 void find_contacts(const Scene& scene, FacetPair pair, Contacts& out);
 
-/// Whether two triangles over explicit points meet outside the vertices (by id) and edges that they share.
+/// Whether the corners of one triangle that are no corners of the other lie strictly on one side of the other's plane:
+/// then the two meet in nothing but the vertices (by id) and edges that they share.
+bool are_separated(const Constructions& points, const Corners& a, const Corners& b);
+
+/// Whether a corner of one triangle and a corner of the other, different ids, are the same explicit point.
+bool have_equal_corners(const Constructions& points, const Corners& a, const Corners& b);
+
+/// Whether two triangles over explicit points, neither of zero area, meet outside the vertices (by id) and edges that
+/// they share.
 bool have_contacts(const Constructions& points, const Corners& a, const Corners& b);
 
 /// What two facets in one plane have in common.

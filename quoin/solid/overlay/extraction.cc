@@ -93,27 +93,23 @@ class Extractor {
     in_face_[a] = in_face_[b] = true;
   }
 
-  // Calls visit(tile a, its edge, tile b, is flat) for each edge between two kept tiles of which none is involved.
-  template <class Visit>
-  void for_each_quiet_edge(const Visit& visit) const {
+  // An edge between two kept tiles of one leaf of which none is involved; the others occur in fans.
+  bool is_quiet(std::uint32_t tile, std::uint32_t neighbour) const {
+    return !is_involved(tile) && !is_involved(neighbour) && fate(tile) != Fate::dropped;
+  }
+
+  void join_flat_tiles() {
     for (std::uint32_t leaf = 0; leaf < scene_.leaves.size(); ++leaf) {
       const Leaf& l = *scene_.leaves[leaf];
       const std::uint32_t first = scene_.first_tile[leaf];
       for (std::uint32_t h = 0; h < l.twins.size(); ++h) {
         if (h % 65536 == 0) context_.poll();
-        if (l.twins[h] == Leaf::no_twin) continue;
+        if (l.flat[h] == 0 || l.twins[h] < h) continue;
         const std::uint32_t a = first + h / 3;
         const std::uint32_t b = first + l.twins[h] / 3;
-        if (is_involved(a) || is_involved(b) || fate(a) == Fate::dropped) continue;
-        visit(a, h % 3, b, leaf, l.flat[h] != 0 && same_color(a, b));
+        if (is_quiet(a, b) && same_color(a, b)) join_faces(a, b);
       }
     }
-  }
-
-  void join_flat_tiles() {
-    for_each_quiet_edge([&](std::uint32_t a, std::uint32_t, std::uint32_t b, std::uint32_t, bool is_flat) {
-      if (is_flat && a < b) join_faces(a, b);
-    });
   }
 
   void join_fans() {
@@ -164,18 +160,34 @@ class Extractor {
 
   // Boundary edges of tiles that are part of a larger face. All others are faces of their own.
   void gather_tile_edges() {
-    for_each_quiet_edge([&](std::uint32_t a, std::uint32_t k, std::uint32_t, std::uint32_t leaf, bool is_flat) {
-      if (is_flat || !in_face_[a]) return;
-      const auto corners = scene_.corners(a, leaf);
+    for (std::uint32_t leaf = 0; leaf < scene_.leaves.size(); ++leaf) {
+      const std::uint32_t first = scene_.first_tile[leaf];
+      for (std::uint32_t tile = first; tile < scene_.first_tile[leaf + 1]; ++tile) {
+        if (tile % 65536 == 0) context_.poll();
+        if (in_face_[tile]) gather_edges_of(tile, leaf);
+      }
+    }
+    for (FaceEdge& e : edges_) e.face = faces_.find(e.face);
+  }
+
+  void gather_edges_of(std::uint32_t tile, std::uint32_t leaf) {
+    const Leaf& l = *scene_.leaves[leaf];
+    const std::uint32_t first = scene_.first_tile[leaf];
+    const std::array<PointId, 3> corners = scene_.corners(tile, leaf);
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const std::uint32_t h = 3 * (tile - first) + k;
+      if (l.twins[h] == Leaf::no_twin) continue;
+      const std::uint32_t other = first + l.twins[h] / 3;
+      if (!is_quiet(tile, other) || (l.flat[h] != 0 && same_color(tile, other))) continue;
       const PointId from = corners[k];
       const PointId to = corners[(k + 1) % 3];
-      edges_.push_back({a, fate(a) == Fate::reversed ? DirectedEdge{to, from} : DirectedEdge{from, to}});
-    });
-    for (FaceEdge& e : edges_) e.face = faces_.find(e.face);
+      edges_.push_back({tile, fate(tile) == Fate::reversed ? DirectedEdge{to, from} : DirectedEdge{from, to}});
+    }
   }
 
   void emit_faces() {
     group_members();
+    reserve_faces();
     auto edge = edges_.begin();
     std::vector<DirectedEdge> boundary;
     for (std::uint32_t s = 0; s < sheets_.count(); ++s) {
@@ -191,20 +203,38 @@ class Extractor {
     }
   }
 
+  void reserve_faces() {
+    std::size_t faces = 0;
+    std::size_t origins = 0;
+    for (std::uint32_t s = 0; s < sheets_.count(); ++s) {
+      if (fate(s) == Fate::dropped) continue;
+      ++origins;
+      if (!in_face_[s] || faces_.find(s) == s) ++faces;
+    }
+    brep_.face_planes.reserve(faces);
+    brep_.face_shells.reserve(faces);
+    brep_.face_first_loop.reserve(faces + 1);
+    brep_.face_first_origin.reserve(faces + 1);
+    brep_.loop_begin.reserve(faces + 1);
+    brep_.loop_vertices.reserve(3 * faces + edges_.size());
+    brep_.origins.reserve(origins);
+    if (has_colors_) brep_.face_colors.reserve(faces);
+  }
+
   // Sheets of faces that consist of several, by the face.
   void group_members() {
     for (std::uint32_t s = 0; s < sheets_.count(); ++s) {
-      if (in_face_[s] && faces_.find(s) != s) members_.push_back({faces_.find(s), s});
+      if (in_face_[s] && fate(s) != Fate::dropped && faces_.find(s) != s) members_.push_back({faces_.find(s), s});
     }
     std::sort(members_.begin(), members_.end());
   }
 
-  void begin_face(std::uint32_t sheet, const std::array<PointId, 3>& corners) {
+  void begin_face(std::uint32_t sheet, const std::array<PointId, 3>& corners, const Origin& from) {
     const bool reversed = fate(sheet) == Fate::reversed;
     brep_.face_planes.push_back(reversed ? std::array{corners[0], corners[2], corners[1]} : corners);
     brep_.face_shells.push_back(shell_of(complex_.patch_of[sheet]));
-    brep_.origins.push_back(origin(sheet));
-    if (has_colors_) brep_.face_colors.push_back(color(origin(sheet)));
+    brep_.origins.push_back(from);
+    if (has_colors_) brep_.face_colors.push_back(color(from));
   }
 
   void end_face() {
@@ -213,8 +243,9 @@ class Extractor {
   }
 
   void emit_tile(std::uint32_t tile) {
-    const std::array<PointId, 3> corners = sheets_.corners(tile);
-    begin_face(tile, corners);
+    while (tile >= scene_.first_tile[leaf_ + 1]) ++leaf_;  // tiles come in order
+    const Origin from{leaf_, scene_.leaves[leaf_]->tile_face[tile - scene_.first_tile[leaf_]]};
+    begin_face(tile, scene_.corners(tile, leaf_), from);
     const std::array<PointId, 3>& loop = brep_.face_planes.back();
     brep_.loop_vertices.insert(brep_.loop_vertices.end(), loop.begin(), loop.end());
     brep_.loop_begin.push_back(static_cast<std::uint32_t>(brep_.loop_vertices.size()));
@@ -223,7 +254,7 @@ class Extractor {
 
   void emit_face(std::uint32_t sheet, std::span<const DirectedEdge> boundary) {
     const std::array<PointId, 3> corners = sheets_.corners(sheet);
-    begin_face(sheet, corners);
+    begin_face(sheet, corners, origin(sheet));
     auto member = std::lower_bound(members_.begin(), members_.end(), std::pair(sheet, 0U));
     for (; member != members_.end() && member->first == sheet; ++member)
       brep_.origins.push_back(origin(member->second));
@@ -281,6 +312,7 @@ class Extractor {
   std::vector<FaceEdge> edges_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> members_;  // face, sheet
   std::vector<std::uint32_t> shell_number_;
+  std::uint32_t leaf_ = 0;  // of the tile emitted last
   bool has_colors_ = false;
   Brep brep_;
 };

@@ -18,11 +18,23 @@ struct Neighbours {
   bool are_common = true;
 };
 
-template <class Visit>  // visit(vertex, before, after, face)
+// A corner of a triangle is no inner point of a straight line, and most vertices are corners of triangles.
+std::vector<bool> corners_of_triangles(const Constructions& table, const Brep& brep) {
+  std::vector<bool> result(table.point_count(), false);
+  for (std::size_t l = 0; l < brep.loop_count(); ++l) {
+    const auto loop = brep.loop(l);
+    if (loop.size() != 3) continue;
+    for (const PointId p : loop) result[p.value] = true;
+  }
+  return result;
+}
+
+template <class Visit>  // visit(vertex, before, after, face); not for loops of three
 void for_each_pass(const Brep& brep, const Visit& visit) {
   for (std::uint32_t face = 0; face < brep.face_count(); ++face) {
     for (std::uint32_t l = brep.face_first_loop[face]; l < brep.face_first_loop[face + 1]; ++l) {
       const auto loop = brep.loop(l);
+      if (loop.size() == 3) continue;
       for (std::size_t i = 0; i < loop.size(); ++i) {
         visit(loop[i].value, loop[i == 0 ? loop.size() - 1 : i - 1].value, loop[i + 1 == loop.size() ? 0 : i + 1].value,
               face);
@@ -50,11 +62,12 @@ bool planes_differ(const Constructions& table, const std::array<PointId, 3>& a, 
 // Where faces in two different planes pass between the same neighbours, both edges lie on the line that the planes
 // share.
 std::vector<bool> find_straight(const Constructions& table, const Brep& brep) {
+  const std::vector<bool> is_corner = corners_of_triangles(table, brep);
   const std::vector<Neighbours> neighbours = common_neighbours(table, brep);
   std::vector<bool> straight(neighbours.size(), false);
   for_each_pass(brep, [&](std::uint32_t v, std::uint32_t, std::uint32_t, std::uint32_t face) {
     const Neighbours& n = neighbours[v];
-    if (!n.are_common || straight[v] || face == n.face) return;
+    if (!n.are_common || is_corner[v] || straight[v] || face == n.face) return;
     if (planes_differ(table, brep.face_planes[n.face], brep.face_planes[face])) straight[v] = true;
   });
   return straight;
