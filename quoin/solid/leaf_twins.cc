@@ -16,6 +16,72 @@ struct Entry {
   std::uint32_t halfedge;
 };
 
+// The common case, every edge used once in each direction, in one pass over the halfedges: those that run to a larger
+// vertex wait in the bucket of their smaller one for those that come back.
+class PlainTwinMatcher {
+ public:
+  explicit PlainTwinMatcher(Leaf& leaf) : leaf_(leaf) {}
+
+  // False, and nothing said, where some edge is used in any other way.
+  bool run(const Context& context) {
+    const auto count = static_cast<std::uint32_t>(3 * leaf_.tiles.size());
+    if (!fill_buckets(count)) return false;
+    context.poll();
+    leaf_.twins.resize(count);
+    for (std::uint32_t t = 0; t < leaf_.tiles.size(); ++t) {
+      if (t % 16384 == 0) context.poll();
+      const Tile& tile = leaf_.tiles[t];
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        const std::uint32_t from = tile[k];
+        const std::uint32_t to = tile[k == 2 ? 0 : k + 1];
+        if (from > to && !match(to, from, 3 * t + k)) return false;
+      }
+    }
+    return true;  // as many came back as waited, no two to one
+  }
+
+ private:
+  bool fill_buckets(std::uint32_t count) {
+    first_.assign(leaf_.vertices.size() + 1, 0);
+    for (const Tile& tile : leaf_.tiles) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (tile[k] < tile[k == 2 ? 0 : k + 1]) ++first_[tile[k] + 1];
+      }
+    }
+    for (std::size_t v = 0; v < leaf_.vertices.size(); ++v) first_[v + 1] += first_[v];
+    if (2 * std::size_t{first_.back()} != count) return false;
+    waiting_.resize(first_.back());
+    std::vector<std::uint32_t> fill(first_.begin(), first_.end() - 1);
+    for (std::uint32_t t = 0; t < leaf_.tiles.size(); ++t) {
+      const Tile& tile = leaf_.tiles[t];
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        const std::uint32_t to = tile[k == 2 ? 0 : k + 1];
+        if (tile[k] >= to) continue;
+        for (std::uint32_t i = first_[tile[k]]; i < fill[tile[k]]; ++i) {
+          if (waiting_[i].larger == to) return false;
+        }
+        waiting_[fill[tile[k]]++] = {to, 3 * t + k};
+      }
+    }
+    return true;
+  }
+
+  bool match(std::uint32_t smaller, std::uint32_t larger, std::uint32_t halfedge) {
+    for (std::uint32_t i = first_[smaller]; i < first_[smaller + 1]; ++i) {
+      if (waiting_[i].larger != larger) continue;
+      leaf_.twins[halfedge] = waiting_[i].halfedge;
+      leaf_.twins[waiting_[i].halfedge] = halfedge;
+      waiting_[i].larger = Leaf::no_twin;  // taken
+      return true;
+    }
+    return false;
+  }
+
+  Leaf& leaf_;
+  std::vector<std::uint32_t> first_;
+  std::vector<Entry> waiting_;
+};
+
 class TwinMatcher {
  public:
   TwinMatcher(Leaf& leaf, std::size_t max_listed, MeshDiagnosis& diagnosis, const Context& context)
@@ -84,7 +150,7 @@ class TwinMatcher {
 }  // namespace
 
 void match_twins(Leaf& leaf, std::size_t max_listed, MeshDiagnosis& diagnosis, const Context& context) {
-  TwinMatcher(leaf, max_listed, diagnosis, context).run();
+  if (!PlainTwinMatcher(leaf).run(context)) TwinMatcher(leaf, max_listed, diagnosis, context).run();
 }
 
 }  // namespace quoin
