@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -16,7 +18,16 @@ struct Parts {
   std::int64_t mantissa;
   int exponent;
 };
-Parts parts_of(double x);
+
+inline Parts parts_of(double x) {
+  constexpr int fraction_bits = 52;
+  const auto bits = std::bit_cast<std::uint64_t>(x);
+  const int field = static_cast<int>((bits >> fraction_bits) & 0x7ff);
+  const std::uint64_t hidden = std::uint64_t{field != 0} << fraction_bits;
+  const std::uint64_t fraction = bits & ((std::uint64_t{1} << fraction_bits) - 1);
+  const auto mantissa = static_cast<std::int64_t>(fraction | hidden);
+  return {(bits >> 63) != 0 ? -mantissa : mantissa, std::max(field - 1, 0) - 1074};
+}
 
 /// The coarsest power of two, 2^lo, of which all values are multiples; all are of magnitude below 2^(lo + bits).
 struct CallGrid {
@@ -73,6 +84,27 @@ class CallReader {
   }
 
   int lo_;
+};
+
+/// In one limb: x 2^-lo is an integer below 2^61, so both products are exact; two factors, because 2^-lo may be no
+/// double.
+template <>
+class CallReader<CallNumbers<61>> {
+ public:
+  using Numbers = CallNumbers<61>;
+  explicit CallReader(const CallGrid& grid)
+      : first_(power_of_two(-grid.lo / 2)), second_(power_of_two(-grid.lo - (-grid.lo / 2))) {}
+
+  Numbers::Linear operator()(double x, double y) const { return Numbers::Linear(value(x) - value(y)); }
+
+ private:
+  static double power_of_two(int exponent) {
+    return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);
+  }
+  std::int64_t value(double x) const { return static_cast<std::int64_t>(x * first_ * second_); }
+
+  double first_;
+  double second_;
 };
 
 /// Sign of the formula in the narrowest numbers that hold it; the formula takes a CallReader.

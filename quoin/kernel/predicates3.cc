@@ -36,6 +36,13 @@ Sign exact_orientation(const Point3& a, const Point3& b, const Point3& c, const 
   });
 }
 
+Sign orientation_of_any_size(const Point3& a, const Point3& b, const Point3& c, const Point3& d, Tier& tier) {
+  const int sign = filter::orientation_by_maxima(a, b, c, d);
+  if (sign == 0) return exact_orientation(a, b, c, d, tier);
+  tier = Tier::filter;
+  return static_cast<Sign>(sign);
+}
+
 Sign exact_in_sphere(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& e, Tier& tier) {
   const std::array<double, 15> values{a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, d.x, d.y, d.z, e.x, e.y, e.z};
   return decide_on_grid(values, tier, [&]<class N>(const CallReader<N>& difference) {

@@ -11,22 +11,24 @@ namespace quoin {
 namespace detail {
 
 Sign exact_orientation(const Point3& a, const Point3& b, const Point3& c, const Point3& d, Tier& tier);
+Sign orientation_of_any_size(const Point3& a, const Point3& b, const Point3& c, const Point3& d, Tier& tier);
 Sign exact_in_sphere(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& e, Tier& tier);
 
 }  // namespace detail
 
 /// Side of the plane through a, b, c, seen counterclockwise from its positive side, on which d lies.
 ///
-/// Positive exactly when det(b - a, c - a, d - a) > 0. Exact for all finite doubles: filter (bound derived in
-/// predicate_filters.h), then integers on the grid of the call. Properties, each a test:
+/// Positive exactly when det(b - a, c - a, d - a) > 0. Exact for all finite doubles: filters (bounds derived in
+/// predicate_filters.h; six times a volume below 2^-45 passes two of them), then integers on the grid of the call.
+/// Properties, each a test:
 ///   - swapping two arguments negates the sign;
 ///   - zero if and only if the four points lie in one plane;
 ///   - scaling by a power of two and translation, where exact, keep it.
 /// O(1), allocates only for coordinates that span more than 124 bits. Source: Shewchuk 1997, section 4.
 inline Sign orientation(const Point3& a, const Point3& b, const Point3& c, const Point3& d, Tier& tier) {
   tier = Tier::filter;
-  const int sign = filter::orientation_by_maxima(a, b, c, d);
-  return sign != 0 ? static_cast<Sign>(sign) : detail::exact_orientation(a, b, c, d, tier);
+  const int sign = filter::orientation_of_size(a, b, c, d);
+  return sign != 0 ? static_cast<Sign>(sign) : detail::orientation_of_any_size(a, b, c, d, tier);
 }
 inline Sign orientation(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
   Tier ignored;
