@@ -2,7 +2,9 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 #include "quoin/kernel/constructions_filters.h"
 #include "quoin/kernel/pair.h"
@@ -19,6 +21,13 @@
 /// (orientation_of_size does without). Source of the method: Shewchuk
 /// 1997, section 4; of the maxima form: Melquiond and Pion 2007.
 namespace quoin::filter {
+
+/// As certain_sign, for callers that go on elsewhere if nothing is decided: one comparison, and the sign by its bit.
+inline int likely_sign(double value, double bound) {
+  if (std::fabs(value) > bound) [[likely]]
+    return static_cast<int>(std::bit_cast<std::int64_t>(value) >> 63) | 1;
+  return 0;
+}
 
 /// Sign of det(b - a, c - a): one product, two differences and a sum on each term's way; see `cross`, whose bound
 /// covers every range.
@@ -63,7 +72,7 @@ struct Orientation {
 /// two (at most XY), the minors (2 XY) and the sums (6 XYZ); else the bound is infinite or no number.
 inline int orientation_of_size(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
   const Orientation det(a, b, c, d);
-  return certain_sign(det.value, 8 * det.x * det.y * det.z * (5.2e-15 / 8) + 0x1p-45);
+  return likely_sign(det.value, 8 * det.x * det.y * det.z * (5.2e-15 / 8) + 0x1p-45);
 }
 
 /// The same for smaller values; decides only where M <= 2^340: then the underflow is below 2^-730.
@@ -72,7 +81,7 @@ inline int orientation_by_maxima(const Point3& a, const Point3& b, const Point3&
   constexpr double slack = 0x1p-730;
   const Orientation det(a, b, c, d);
   if (!(max_abs(det.x, det.y, det.z) <= largest)) return 0;
-  return certain_sign(det.value, 5.2e-15 * det.x * det.y * det.z + slack);
+  return likely_sign(det.value, 5.2e-15 * det.x * det.y * det.z + slack);
 }
 
 /// Sign of the determinant of the rows (x, y, x^2 + y^2) of a - d, b - d, c - d; decides only where M <= 2^200.
@@ -144,7 +153,7 @@ struct InSphere {
   const double m = std::max(std::max(det.x, det.y), det.z);
   if (!(m <= largest)) [[unlikely]]
     return 0;
-  return certain_sign(det.value, 1.3e-13 * det.x * det.y * det.z * (m * m) + slack);
+  return likely_sign(det.value, 1.3e-13 * det.x * det.y * det.z * (m * m) + slack);
 }
 
 /// Sign of a sum of terms, each of which has met at most two roundings, given with the sum of their magnitudes (three

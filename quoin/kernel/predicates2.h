@@ -39,7 +39,6 @@ inline Sign orientation(const Point2& a, const Point2& b, const Point2& c) {
 /// (bound derived in predicate_filters.h), then integers on the grid of the call. Properties, each a test:
 ///   - swapping two arguments negates the sign;
 ///   - zero if and only if the four points lie on one circle or line, or two are equal;
-///   - for a, b, c on a line the sign tells the side of d, times the order of a, b, c on it;
 ///   - scaling by a power of two and translation, where exact, keep it.
 /// O(1), allocation as above. Source: Shewchuk 1997, section 4.
 inline Sign in_circle(const Point2& a, const Point2& b, const Point2& c, const Point2& d, Tier& tier) {

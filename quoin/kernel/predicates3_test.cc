@@ -120,7 +120,8 @@ TEST(Predicates3, EveryTierAgreesWithRationals) {
 // Around the limits of the filters: points near the largest coordinates they accept and where products underflow.
 TEST(Predicates3, FiltersDecideRightlyAtTheEndsOfTheirRanges) {
   Random random(22);
-  for (const int exponent : {-1070, -350, -30, -16, -14, -400, -380, -250, -215, -130, -110, 135, 139, 140, 141, 338, 339, 340, 341, 350, 680, 1022}) {
+  for (const int exponent : {-1070, -350, -30, -16, -14, -400, -380, -250, -215, -130, -110,
+                             135,   139,  140, 141, 338, 339,  340,  341,  350,  680,  1022}) {
     for (int i = 0; i < 300; ++i) {
       Quintuple p;
       for (Point3& point : p) {
