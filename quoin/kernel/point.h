@@ -14,6 +14,13 @@ struct Point2 {
   friend constexpr bool operator==(const Point2&, const Point2&) = default;
 };
 
+/// A vector of the plane, in the unit of the points.
+struct Vector2 {
+  double x = 0;
+  double y = 0;
+  friend constexpr bool operator==(const Vector2&, const Vector2&) = default;
+};
+
 /// A vector of space, in the unit of the points.
 struct Vector3 {
   double x = 0;
@@ -33,7 +40,12 @@ struct Point3 {
   friend constexpr bool operator==(const Point3&, const Point3&) = default;
 };
 
-/// Lexicographic order by x, then y, then z.
+/// Order of points by x, then y.
+constexpr bool lexicographically_less(const Point2& a, const Point2& b) {
+  return a.x != b.x ? a.x < b.x : a.y < b.y;
+}
+
+/// Order of points by x, then y, then z.
 constexpr bool lexicographically_less(const Point3& a, const Point3& b) {
   if (a.x != b.x) return a.x < b.x;
   if (a.y != b.y) return a.y < b.y;

@@ -1,76 +1,60 @@
 // SPDX-License-Identifier: Apache-2.0
-//
-// Filter of orientation: with u = 2^-53, the computed differences carry a relative error u, each product then (1+u)^3 -
-// 1 in all, and the final difference another u, so |error| <= (4 u + O(u^2)) (|left| + |right|) for the computed
-// products; 4.5e-16 > 4 u (1 + 4 u). The bound holds while neither product underflows: it is used only for products of
-// at least 2^-900 or of exactly zero factors.
 #include "quoin/kernel/predicates2.h"
 
-#include <cmath>
+#include <array>
 
-#include "quoin/number/rational.h"
+#include "quoin/kernel/call_grid.h"
+#include "quoin/number/expansion.h"
 
-namespace quoin {
+namespace quoin::detail {
 
 namespace {
 
-constexpr double relative_bound = 4.5e-16;
-constexpr double smallest_safe = 0x1p-900;
-constexpr double largest_safe = 0x1p900;
+template <class N>
+struct LiftedRow2 {
+  typename N::Linear x;
+  typename N::Linear y;
+  typename N::Quadratic lift;
 
-Sign exact_orientation(const Point2& a, const Point2& b, const Point2& c) {
-  const Rational ax(a.x);
-  const Rational ay(a.y);
-  return ((Rational(b.x) - ax) * (Rational(c.y) - ay) - (Rational(b.y) - ay) * (Rational(c.x) - ax)).sign();
-}
+  LiftedRow2(const CallReader<N>& difference, const Point2& p, const Point2& q)
+      : x(difference(p.x, q.x)),
+        y(difference(p.y, q.y)),
+        lift(product<typename N::Quadratic>(x, x) + product<typename N::Quadratic>(y, y)) {}
+};
 
-// Whether x - y was computed without error: the classical two-difference leaves no tail.
-bool is_exact_difference(double x, double y, double difference) {
-  const double virtual_y = x - difference;
-  const double virtual_x = difference + virtual_y;
-  return (virtual_y - y) + (x - virtual_x) == 0;
-}
-
-// The part of x y that rounding cut off, by splitting both into halves of 26 bits (Dekker 1971); no fused operation.
-double product_tail(double x, double y, double product) {
-  constexpr double splitter = 0x1p27 + 1;
-  const double cx = splitter * x;
-  const double x_high = cx - (cx - x);
-  const double x_low = x - x_high;
-  const double cy = splitter * y;
-  const double y_high = cy - (cy - y);
-  const double y_low = y - y_high;
-  return x_low * y_low - (((product - x_high * y_high) - x_low * y_high) - x_high * y_low);
-}
-
-bool is_safe(double product) {
-  const double size = std::fabs(product);
-  return size >= smallest_safe && size <= largest_safe;
+template <class N>
+typename N::Quartic lifted_minor(const LiftedRow2<N>& lifted, const LiftedRow2<N>& b, const LiftedRow2<N>& c) {
+  return product<typename N::Quartic>(lifted.lift, cross<typename N::Quadratic>(b.x, b.y, c.x, c.y));
 }
 
 }  // namespace
 
-Sign orientation(const Point2& a, const Point2& b, const Point2& c) {
-  const double bx = b.x - a.x;
-  const double by = b.y - a.y;
-  const double cx = c.x - a.x;
-  const double cy = c.y - a.y;
-  const double left = bx * cy;
-  const double right = by * cx;
-  const double area = left - right;
-  const double bound = relative_bound * (std::fabs(left) + std::fabs(right));
-  if (is_safe(left) && is_safe(right)) {
-    if (area > bound || area < -bound) return sign_of(area);
-    if (is_exact_difference(b.x, a.x, bx) && is_exact_difference(b.y, a.y, by) && is_exact_difference(c.x, a.x, cx) &&
-        is_exact_difference(c.y, a.y, cy)) {
-      // Rounding is monotone: different rounded products order the exact ones.
-      if (left != right) return sign_of(area);
-      const double left_tail = product_tail(bx, cy, left);
-      const double right_tail = product_tail(by, cx, right);
-      return static_cast<Sign>((left_tail > right_tail) - (left_tail < right_tail));
-    }
+Sign exact_orientation(const Point2& a, const Point2& b, const Point2& c, Tier& tier) {
+  const TwoDoubles bx = two_difference(b.x, a.x);
+  const TwoDoubles by = two_difference(b.y, a.y);
+  const TwoDoubles cx = two_difference(c.x, a.x);
+  const TwoDoubles cy = two_difference(c.y, a.y);
+  if (bx.tail == 0 && by.tail == 0 && cx.tail == 0 && cy.tail == 0 && is_product_exact_range(bx.value, cy.value) &&
+      is_product_exact_range(by.value, cx.value)) {
+    tier = Tier::expansion;
+    return (exact_product(bx.value, cy.value) - exact_product(by.value, cx.value)).sign();
   }
-  return exact_orientation(a, b, c);
+  const std::array<double, 6> values{a.x, a.y, b.x, b.y, c.x, c.y};
+  return decide_on_grid(values, tier, [&]<class N>(const CallReader<N>& difference) {
+    return cross<typename N::Quadratic>(difference(b.x, a.x), difference(b.y, a.y), difference(c.x, a.x),
+                                        difference(c.y, a.y))
+        .sign();
+  });
 }
 
-}  // namespace quoin
+Sign exact_in_circle(const Point2& a, const Point2& b, const Point2& c, const Point2& d, Tier& tier) {
+  const std::array<double, 8> values{a.x, a.y, b.x, b.y, c.x, c.y, d.x, d.y};
+  return decide_on_grid(values, tier, [&]<class N>(const CallReader<N>& difference) {
+    const LiftedRow2<N> ra(difference, a, d);
+    const LiftedRow2<N> rb(difference, b, d);
+    const LiftedRow2<N> rc(difference, c, d);
+    return (lifted_minor(ra, rb, rc) + lifted_minor(rb, rc, ra) + lifted_minor(rc, ra, rb)).sign();
+  });
+}
+
+}  // namespace quoin::detail
