@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The peer: CGAL corefinement of two OFF files, from meshes in memory to a mesh in memory.
+// The peer: CGAL corefinement of OFF files one after the other, from meshes in memory to a mesh in memory.
 //
-//   cgal_corefine exact|inexact REPEATS A.off B.off
+//   cgal_corefine exact|inexact union|difference REPEATS FILE...
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Surface_mesh.h>
 #include <sys/resource.h>
 
@@ -15,36 +16,45 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
 #include <vector>
 
 namespace {
 
+namespace PMP = CGAL::Polygon_mesh_processing;
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
 template <class Kernel>
-int run(int repeats, const char* a, const char* b) {
+int run(bool is_union, int repeats, int count, char** files) {
   using Mesh = CGAL::Surface_mesh<typename Kernel::Point_3>;
-  Mesh first;
-  Mesh second;
-  if (!CGAL::IO::read_OFF(std::string(a), first) || !CGAL::IO::read_OFF(std::string(b), second)) return 3;
+  std::vector<Mesh> inputs(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i) {
+    if (!CGAL::IO::read_OFF(std::string(files[i]), inputs[i])) return 3;
+    PMP::triangulate_faces(inputs[i]);
+  }
   std::vector<double> lazy;
   std::vector<double> evaluated;
   double volume = 0;
   std::size_t faces = 0;
-  for (int i = 0; i < repeats; ++i) {
-    Mesh p = first;
-    Mesh q = second;
-    Mesh out;
-    const auto start = std::chrono::steady_clock::now();
-    if (!CGAL::Polygon_mesh_processing::corefine_and_compute_union(p, q, out)) return 1;
-    lazy.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-    double sum = 0;
+  for (int repeat = 0; repeat < repeats; ++repeat) {
+    std::vector<Mesh> meshes = inputs;
+    const auto start = Clock::now();
+    Mesh out = std::move(meshes[0]);
+    for (int i = 1; i < count; ++i) {
+      const bool done = is_union ? PMP::corefine_and_compute_union(out, meshes[i], out)
+                                 : PMP::corefine_and_compute_difference(out, meshes[i], out);
+      if (!done) return 1;
+    }
+    lazy.push_back(seconds_since(start));
     for (const auto v : out.vertices()) {
       if constexpr (requires { out.point(v).exact(); }) out.point(v).exact();
-      sum += CGAL::to_double(out.point(v).x());
     }
-    evaluated.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    evaluated.push_back(seconds_since(start));
     faces = out.number_of_faces();
-    if (i == 0) volume = CGAL::to_double(CGAL::Polygon_mesh_processing::volume(out)) + 0 * sum;
+    if (repeat == 0) volume = CGAL::to_double(PMP::volume(out));
   }
   std::sort(lazy.begin(), lazy.end());
   std::sort(evaluated.begin(), evaluated.end());
@@ -58,9 +68,10 @@ int run(int repeats, const char* a, const char* b) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 5) return 2;
-  const int repeats = std::atoi(argv[2]);
+  if (argc < 5) return 2;
+  const bool is_union = std::strcmp(argv[2], "union") == 0;
+  const int repeats = std::atoi(argv[3]);
   if (std::strcmp(argv[1], "exact") == 0)
-    return run<CGAL::Exact_predicates_exact_constructions_kernel>(repeats, argv[3], argv[4]);
-  return run<CGAL::Exact_predicates_inexact_constructions_kernel>(repeats, argv[3], argv[4]);
+    return run<CGAL::Exact_predicates_exact_constructions_kernel>(is_union, repeats, argc - 4, argv + 4);
+  return run<CGAL::Exact_predicates_inexact_constructions_kernel>(is_union, repeats, argc - 4, argv + 4);
 }
