@@ -120,11 +120,16 @@ int main(int argc, char** argv) {
   }
   const auto number = static_cast<std::size_t>(std::atol(argv[2]));
   const auto is = [&](const char* name) { return std::strcmp(argv[1], name) == 0; };
-  const std::vector<Mesh> meshes = is("spheres")    ? spheres(number)
-                                   : is("cubes")    ? turned_cubes(number)
-                                   : is("drills")   ? drills(number)
-                                   : is("coplanar") ? coplanar(number)
-                                                    : noisy(number);
+  std::vector<Mesh> meshes;
+  if (is("spheres")) meshes = spheres(number);
+  if (is("cubes")) meshes = turned_cubes(number);
+  if (is("drills")) meshes = drills(number);
+  if (is("coplanar")) meshes = coplanar(number);
+  if (is("noisy")) meshes = noisy(number);
+  if (meshes.empty()) {
+    std::fprintf(stderr, "make_inputs: no inputs are called %s\n", argv[1]);
+    return 2;
+  }
   const Context context;
   const std::filesystem::path directory(argv[3]);
   std::filesystem::create_directories(directory);

@@ -3,7 +3,6 @@
 // Times one Boolean of OFF files from polygon arrays in memory to certified triangles in memory.
 //
 //   overlay_bench union|difference THREADS REPEATS FILE...
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <chrono>
@@ -12,6 +11,7 @@
 #include <cstring>
 #include <vector>
 
+#include "bench/peak_memory.h"
 #include "quoin/base/parallel.h"
 #include "quoin/io/mesh_file.h"
 #include "quoin/solid/exit.h"
@@ -73,12 +73,9 @@ int main(int argc, char** argv) {
   }
   std::sort(runs.begin(), runs.end(), [](const Timings& a, const Timings& b) { return a.all() < b.all(); });
   const Timings& median = runs[runs.size() / 2];
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
   std::printf(
       "{\"seconds\": %.6f, \"door\": %.6f, \"overlay\": %.6f, \"exit\": %.6f, \"volume\": %.17g, \"triangles\": %zu, "
       "\"rounding\": %d, \"peak_kb\": %ld}\n",
-      median.all(), median.door, median.overlay, median.exit, volume, triangles, static_cast<int>(rounding),
-      usage.ru_maxrss);
+      median.all(), median.door, median.overlay, median.exit, volume, triangles, static_cast<int>(rounding), peak_kb());
   return 0;
 }

@@ -9,7 +9,6 @@
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Surface_mesh.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <chrono>
@@ -17,6 +16,8 @@
 #include <cstdlib>
 #include <cstring>
 #include <vector>
+
+#include "../peak_memory.h"
 
 namespace {
 
@@ -58,10 +59,8 @@ int run(bool is_union, int repeats, int count, char** files) {
   }
   std::sort(lazy.begin(), lazy.end());
   std::sort(evaluated.begin(), evaluated.end());
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
   std::printf("{\"seconds\": %.6f, \"evaluated\": %.6f, \"volume\": %.17g, \"triangles\": %zu, \"peak_kb\": %ld}\n",
-              lazy[lazy.size() / 2], evaluated[evaluated.size() / 2], volume, faces, usage.ru_maxrss);
+              lazy[lazy.size() / 2], evaluated[evaluated.size() / 2], volume, faces, peak_kb());
   return 0;
 }
 

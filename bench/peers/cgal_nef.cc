@@ -10,7 +10,6 @@
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/convert_nef_polyhedron_to_polygon_mesh.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <chrono>
@@ -18,6 +17,8 @@
 #include <cstdlib>
 #include <cstring>
 #include <vector>
+
+#include "../peak_memory.h"
 
 namespace {
 
@@ -66,9 +67,7 @@ int main(int argc, char** argv) {
   }
   std::sort(alone.begin(), alone.end());
   std::sort(with_conversion.begin(), with_conversion.end());
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
   std::printf("{\"seconds\": %.6f, \"with_conversion\": %.6f, \"volume\": %.17g, \"peak_kb\": %ld}\n",
-              alone[alone.size() / 2], with_conversion[with_conversion.size() / 2], volume, usage.ru_maxrss);
+              alone[alone.size() / 2], with_conversion[with_conversion.size() / 2], volume, peak_kb());
   return 0;
 }

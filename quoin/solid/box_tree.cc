@@ -28,12 +28,12 @@ std::size_t split_at(std::span<const std::uint32_t> keys) {
 BoxTree::BoxTree(std::span<const Point3> vertices, std::span<const Tile> tiles, const Context& context)
     : size_(tiles.size()) {
   if (tiles.empty()) return;
-  std::vector<Box> boxes(tiles.size());
+  std::vector<FloatBox> boxes(tiles.size());
   for_each_chunk(context, tiles.size(), 16384, [&](const Chunk& chunk) {
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) boxes[i] = box_of(vertices, tiles[i]);
   });
-  Box all = empty_box();
-  for (const Box& box : boxes) extend(all, box);
+  FloatBox all = empty_box();
+  for (const FloatBox& box : boxes) extend(all, box);
   const MortonOrder morton = morton_order(boxes, all, context);
   nodes_.reserve(tiles.size() / 4 + 1);
   blocks_.reserve(tiles.size() / 3 + 1);
@@ -43,7 +43,7 @@ BoxTree::BoxTree(std::span<const Point3> vertices, std::span<const Tile> tiles, 
 
 // Recursion is at most 30 deep by key bits, and then halves runs of equal keys.
 std::uint32_t BoxTree::build(std::span<const std::uint32_t> keys, std::span<const std::uint32_t> order,
-                             std::span<const Box> boxes) {
+                             std::span<const FloatBox> boxes) {
   const auto index = static_cast<std::uint32_t>(nodes_.size());
   nodes_.push_back({empty_box(), static_cast<std::uint32_t>(blocks_.size()), 0});
   if (keys.size() <= leaf_size) {
@@ -53,20 +53,20 @@ std::uint32_t BoxTree::build(std::span<const std::uint32_t> keys, std::span<cons
   const std::size_t middle = split_at(keys);
   const std::uint32_t left = build(keys.first(middle), order.first(middle), boxes);
   const std::uint32_t right = build(keys.subspan(middle), order.subspan(middle), boxes);
-  Box box = nodes_[left].box;
+  FloatBox box = nodes_[left].box;
   extend(box, nodes_[right].box);
   nodes_[index] = {box, right, 0};
   return index;
 }
 
-void BoxTree::fill_leaf(std::uint32_t node, std::span<const std::uint32_t> order, std::span<const Box> boxes) {
+void BoxTree::fill_leaf(std::uint32_t node, std::span<const std::uint32_t> order, std::span<const FloatBox> boxes) {
   for (std::size_t i = 0; i < order.size(); ++i) {
     if (i % 4 == 0) {
       blocks_.push_back(BoxBlock::empty());
       block_tiles_.push_back({});
       ++nodes_[node].block_count;
     }
-    const Box& box = boxes[order[i]];
+    const FloatBox& box = boxes[order[i]];
     blocks_.back().set(i % 4, box);
     block_tiles_.back()[i % 4] = order[i];
     extend(nodes_[node].box, box);
@@ -74,7 +74,7 @@ void BoxTree::fill_leaf(std::uint32_t node, std::span<const std::uint32_t> order
 }
 
 std::array<float, 6> BoxTree::bounds() const {
-  const Box box = nodes_.empty() ? empty_box() : nodes_[0].box;
+  const FloatBox box = nodes_.empty() ? empty_box() : nodes_[0].box;
   return {box.lo[0], box.lo[1], box.lo[2], box.hi[0], box.hi[1], box.hi[2]};
 }
 
@@ -104,7 +104,7 @@ void BoxTree::tiles_on_line(unsigned axis, std::array<double, 2> lo, std::array<
   const std::array<float, 2> low{float_below(lo[0]), float_below(lo[1])};
   const std::array<float, 2> high{float_above(hi[0]), float_above(hi[1])};
   collect(
-      [&](const Box& box) {
+      [&](const FloatBox& box) {
         return box.lo[axes[0]] <= high[0] && low[0] <= box.hi[axes[0]] && box.lo[axes[1]] <= high[1] &&
                low[1] <= box.hi[axes[1]];
       },
@@ -112,9 +112,9 @@ void BoxTree::tiles_on_line(unsigned axis, std::array<double, 2> lo, std::array<
 }
 
 void BoxTree::tiles_in_box(const Point3& lo, const Point3& hi, std::vector<std::uint32_t>& out) const {
-  const Box query{{float_below(lo.x), float_below(lo.y), float_below(lo.z)},
-                  {float_above(hi.x), float_above(hi.y), float_above(hi.z)}};
-  collect([&](const Box& box) { return meet(box, query); }, out);
+  const FloatBox query{{float_below(lo.x), float_below(lo.y), float_below(lo.z)},
+                       {float_above(hi.x), float_above(hi.y), float_above(hi.z)}};
+  collect([&](const FloatBox& box) { return meet(box, query); }, out);
 }
 
 }  // namespace quoin

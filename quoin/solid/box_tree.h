@@ -8,7 +8,7 @@
 
 #include "quoin/base/context.h"
 #include "quoin/kernel/point.h"
-#include "quoin/solid/box.h"
+#include "quoin/solid/float_box.h"
 
 namespace quoin {
 
@@ -55,14 +55,14 @@ class BoxTree {
   // Nodes in depth-first order: the first child follows its parent, the second is named. A leaf has block_count > 0
   // blocks from there on, the last of them filled up with empty boxes.
   struct Node {
-    Box box;
+    FloatBox box;
     std::uint32_t second_or_block;
     std::uint32_t block_count;
   };
 
   std::uint32_t build(std::span<const std::uint32_t> keys, std::span<const std::uint32_t> order,
-                      std::span<const Box> boxes);
-  void fill_leaf(std::uint32_t node, std::span<const std::uint32_t> order, std::span<const Box> boxes);
+                      std::span<const FloatBox> boxes);
+  void fill_leaf(std::uint32_t node, std::span<const std::uint32_t> order, std::span<const FloatBox> boxes);
   template <class Accept>
   void collect(const Accept& accept, std::vector<std::uint32_t>& out) const;
 

@@ -138,7 +138,7 @@ class BoxTreePairs {
       if (!is_any(alive)) continue;
       for (std::size_t lane = 0; lane < 4; ++lane) {
         if (alive[lane] == 0) continue;
-        const Box box = a_.blocks_[p].at(lane);
+        const FloatBox box = a_.blocks_[p].at(lane);
         for (std::size_t c = 0; c < count; ++c) {
           const std::uint32_t q = candidates[c];
           if (same && q < p) continue;

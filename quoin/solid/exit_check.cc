@@ -137,7 +137,7 @@ class CrossingFinder {
     const overlay::Corners a = corners(pair.a);
     const overlay::Corners b = corners(pair.b);
     if (overlay::have_equal_corners(table_, a, b)) return true;
-    if (std::all_of(a.begin(), a.end(), [&](PointId p) { return p == b[0] || p == b[1] || p == b[2]; })) return true;
+    if (overlay::have_same_corners(a, b)) return true;
     if (overlay::are_separated(table_, a, b)) return false;
     if (is_flat(a) || is_flat(b)) return false;  // listed by itself
     return overlay::have_contacts(table_, a, b);

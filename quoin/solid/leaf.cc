@@ -64,8 +64,9 @@ bool is_flat(const Leaf& leaf, const Constructions& points, std::uint32_t halfed
 }
 
 void mark_flat_edges(Leaf& leaf, const Constructions& points, const Context& context) {
+  constexpr std::size_t grain = 49152;
   leaf.flat.assign(leaf.twins.size(), 0);
-  for_each_chunk(context, leaf.twins.size(), 49152, [&](const Chunk& chunk) {
+  for_each_chunk(context, leaf.twins.size(), grain, [&](const Chunk& chunk) {
     for (auto h = static_cast<std::uint32_t>(chunk.begin); h < chunk.end; ++h) {
       const std::uint32_t twin = leaf.twins[h];
       if (twin != Leaf::no_twin && h < twin && is_flat(leaf, points, h)) leaf.flat[h] = leaf.flat[twin] = 1;

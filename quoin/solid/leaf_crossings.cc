@@ -33,7 +33,7 @@ class SelfCrossings {
     const overlay::Corners a = corners(pair.a);
     const overlay::Corners b = corners(pair.b);
     if (overlay::have_equal_corners(points_, a, b)) return true;  // one spot, two vertices
-    if (have_same_corners(a, b)) return true;
+    if (overlay::have_same_corners(a, b)) return true;
     return !overlay::are_separated(points_, a, b) && overlay::have_contacts(points_, a, b);
   }
 
@@ -41,10 +41,6 @@ class SelfCrossings {
   overlay::Corners corners(std::uint32_t tile) const {
     const Tile& t = leaf_.tiles[tile];
     return {PointId{t[0]}, PointId{t[1]}, PointId{t[2]}};
-  }
-
-  static bool have_same_corners(const overlay::Corners& a, const overlay::Corners& b) {
-    return std::all_of(a.begin(), a.end(), [&](PointId p) { return p == b[0] || p == b[1] || p == b[2]; });
   }
 
   const Leaf& leaf_;

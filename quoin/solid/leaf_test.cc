@@ -90,6 +90,35 @@ TEST(Leaf, FindingsNameTheirElements) {
   EXPECT_GT(leaf_of(edge).diagnosis.crossing_faces.count, 0U) << "two edges on one spot that were not welded";
 }
 
+// Vertices of any degree, and edges that only sorting tells apart, give the same twins.
+TEST(Leaf, TwinsAtLongFansAndAtEdgesOfManyTiles) {
+  for (const std::size_t sides : {5U, 33U, 2000U}) {
+    const LeafResult fan = leaf_of(shapes::pyramid(sides, 1, 1));
+    ASSERT_NE(fan.leaf, nullptr);
+    const Leaf& leaf = *fan.leaf;
+    for (std::uint32_t h = 0; h < leaf.twins.size(); ++h) {
+      const std::uint32_t twin = leaf.twins[h];
+      ASSERT_LT(twin, leaf.twins.size());
+      ASSERT_EQ(leaf.twins[twin], h);
+      ASSERT_EQ(leaf.tiles[h / 3][h % 3], leaf.tiles[twin / 3][(twin % 3 + 1) % 3]);
+      ASSERT_EQ(leaf.tiles[h / 3][(h % 3 + 1) % 3], leaf.tiles[twin / 3][twin % 3]);
+    }
+  }
+  // Four tiles at one edge: two tetrahedra over shared vertices 0 and 1.
+  Mesh pair;
+  pair.vertices = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}};
+  for (const std::uint32_t first : {2U, 4U}) {
+    const std::uint32_t second = first + 1;
+    for (const Tile& t : {Tile{0, 1, first}, Tile{1, 0, second}, Tile{0, first, second}, Tile{1, second, first}}) {
+      pair.add_face(t);
+    }
+  }
+  const LeafResult shared = leaf_of(pair);
+  ASSERT_NE(shared.leaf, nullptr);
+  EXPECT_EQ(shared.diagnosis.nonmanifold_edges.count, 1U);
+  EXPECT_EQ(std::count(shared.leaf->twins.begin(), shared.leaf->twins.end(), Leaf::no_twin), 4);
+}
+
 TEST(Leaf, SliversOfNoAreaAreHealed) {
   // A cube whose top is split at the middle of an edge on one side only, and closed by a collinear triangle.
   Mesh mesh = shapes::triangulated(shapes::cube());
@@ -139,7 +168,9 @@ TEST(StarCertificate, NeverHidesACrossing) {
       const double even = 2 * std::numbers::pi * turns * i / n;
       angles.push_back(repeat % 2 == 0 ? even : even + 0.4 * jump(random));
     }
-    const Mesh mesh = cone(angles);
+    // Down to where products of two and of three lengths leave the range in which the certificate trusts itself.
+    const double scale = std::ldexp(1.0, -140 * (repeat % 4));
+    const Mesh mesh = shapes::scaled(cone(angles), {scale, scale, scale});
     const LeafResult with = leaf_of(mesh);
     if (!with.leaf) continue;
     // Every pair of tiles without the certificate, by the overlay's own contacts of a soup with the same ids: a leaf

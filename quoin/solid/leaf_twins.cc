@@ -16,13 +16,14 @@ struct Entry {
   std::uint32_t halfedge;
 };
 
-// The common case, every edge used once in each direction, in one pass over the halfedges: those that run to a larger
-// vertex wait in the bucket of their smaller one for those that come back.
+// The common case, every edge used once in each direction and vertices of few edges, in one pass over the halfedges:
+// those that run to a larger vertex wait in the bucket of their smaller one for those that come back. Buckets are
+// searched from end to end, so long ones, as at the apex of a cone, are left to sorting. O(n) for that reason.
 class PlainTwinMatcher {
  public:
   explicit PlainTwinMatcher(Leaf& leaf) : leaf_(leaf) {}
 
-  // False, and nothing said, where some edge is used in any other way.
+  // False, and nothing said, where some edge is used in any other way or a bucket is long.
   bool run(const Context& context) {
     const auto count = static_cast<std::uint32_t>(3 * leaf_.tiles.size());
     if (!fill_buckets(count)) return false;
@@ -41,6 +42,8 @@ class PlainTwinMatcher {
   }
 
  private:
+  static constexpr std::uint32_t longest_bucket = 32;
+
   bool fill_buckets(std::uint32_t count) {
     first_.assign(leaf_.vertices.size() + 1, 0);
     for (const Tile& tile : leaf_.tiles) {
@@ -48,6 +51,7 @@ class PlainTwinMatcher {
         if (tile[k] < tile[k == 2 ? 0 : k + 1]) ++first_[tile[k] + 1];
       }
     }
+    if (*std::max_element(first_.begin(), first_.end()) > longest_bucket) return false;
     for (std::size_t v = 0; v < leaf_.vertices.size(); ++v) first_[v + 1] += first_[v];
     if (2 * std::size_t{first_.back()} != count) return false;
     waiting_.resize(first_.back());

@@ -14,7 +14,7 @@ std::uint32_t spread_bits(std::uint32_t x) {
   return (x | (x << 2)) & 0x09249249U;
 }
 
-std::vector<std::uint32_t> morton_keys(std::span<const Box> boxes, const Box& all, const Context& context) {
+std::vector<std::uint32_t> morton_keys(std::span<const FloatBox> boxes, const FloatBox& all, const Context& context) {
   std::array<float, 3> scale;
   for (std::size_t k = 0; k < 3; ++k) {
     const float extent = all.hi[k] / 2 - all.lo[k] / 2;
@@ -60,7 +60,7 @@ void radix_sort(MortonOrder& result, const Context& context) {
 
 }  // namespace
 
-MortonOrder morton_order(std::span<const Box> boxes, const Box& all, const Context& context) {
+MortonOrder morton_order(std::span<const FloatBox> boxes, const FloatBox& all, const Context& context) {
   MortonOrder result;
   result.keys = morton_keys(boxes, all, context);
   result.order.resize(boxes.size());

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "quoin/base/context.h"
-#include "quoin/solid/box.h"
+#include "quoin/solid/float_box.h"
 
 namespace quoin {
 
@@ -18,6 +18,6 @@ struct MortonOrder {
 
 /// Order of the centres of boxes, none of them empty, within `all`. Its quality matters to trees built on it, not its
 /// exactness; it depends on the boxes alone. O(n).
-MortonOrder morton_order(std::span<const Box> boxes, const Box& all, const Context& context);
+MortonOrder morton_order(std::span<const FloatBox> boxes, const FloatBox& all, const Context& context);
 
 }  // namespace quoin

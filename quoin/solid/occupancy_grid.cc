@@ -19,7 +19,7 @@ std::uint32_t OccupancyGrid::cell(float x, std::size_t axis) const {
   return static_cast<std::uint32_t>(static_cast<std::int32_t>(std::min(std::max(0.0F, at), last)));
 }
 
-OccupancyGrid::Range OccupancyGrid::range(const Box& box) const {
+OccupancyGrid::Range OccupancyGrid::range(const FloatBox& box) const {
   Range result;
   for (std::size_t k = 0; k < 3; ++k) {
     result.first[k] = cell(box.lo[k], k);
@@ -28,7 +28,7 @@ OccupancyGrid::Range OccupancyGrid::range(const Box& box) const {
   return result;
 }
 
-std::size_t OccupancyGrid::add(const Box& box) {
+std::size_t OccupancyGrid::add(const FloatBox& box) {
   const Range r = range(box);
   const std::uint64_t bits = r.row_bits();
   for (std::uint32_t z = r.first[2]; z <= r.last[2]; ++z) {
@@ -37,7 +37,7 @@ std::size_t OccupancyGrid::add(const Box& box) {
   return std::size_t{r.last[2] - r.first[2] + 1} * (r.last[1] - r.first[1] + 1);
 }
 
-bool OccupancyGrid::may_meet(const Box& box) const {
+bool OccupancyGrid::may_meet(const FloatBox& box) const {
   if (!meet(box, bounds_)) return false;
   const Range r = range(box);
   const std::uint64_t bits = r.row_bits();

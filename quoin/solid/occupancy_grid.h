@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "quoin/solid/box.h"
+#include "quoin/solid/float_box.h"
 
 namespace quoin {
 
@@ -17,9 +17,9 @@ class OccupancyGrid {
   explicit OccupancyGrid(const std::array<float, 6>& bounds);
 
   /// Returns the number of rows of cells touched, at least 1: what it cost.
-  std::size_t add(const Box& box);
+  std::size_t add(const FloatBox& box);
   /// False only if the box meets no added box.
-  bool may_meet(const Box& box) const;
+  bool may_meet(const FloatBox& box) const;
 
  private:
   static constexpr std::uint32_t cells = 64;
@@ -29,10 +29,10 @@ class OccupancyGrid {
     std::uint64_t row_bits() const { return (~std::uint64_t{0} << first[0]) & (~std::uint64_t{0} >> (63 - last[0])); }
   };
 
-  Range range(const Box& box) const;
+  Range range(const FloatBox& box) const;
   std::uint32_t cell(float x, std::size_t axis) const;
 
-  Box bounds_;
+  FloatBox bounds_;
   std::array<float, 3> scale_;
   std::vector<std::uint64_t> rows_;  // a bit per cell along x, by z and y
 };

@@ -49,8 +49,7 @@ Signs sides(const Constructions& table, const Corners& facet, const Corners& oth
   Signs result;
   for (std::size_t k = 0; k < 3; ++k) {
     const PointId p = facet[k];
-    const bool is_shared = p == other[0] || p == other[1] || p == other[2];
-    result[k] = is_shared ? Sign::zero : table.orientation(other[0], other[1], other[2], p);
+    result[k] = is_corner(p, other) ? Sign::zero : table.orientation(other[0], other[1], other[2], p);
   }
   return result;
 }
@@ -237,7 +236,7 @@ bool are_separated(const Constructions& table, const Corners& a, const Corners& 
   const auto on_one_side = [&](const Corners& facet, const Corners& other) {
     Sign side = Sign::zero;
     for (const PointId p : facet) {
-      if (p == other[0] || p == other[1] || p == other[2]) continue;
+      if (is_corner(p, other)) continue;
       const Sign sign = table.orientation(other[0], other[1], other[2], p);
       if (sign == Sign::zero || sign == -side) return false;
       side = sign;

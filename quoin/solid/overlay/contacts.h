@@ -83,6 +83,14 @@ void find_contacts(const Scene& scene, FacetPair pair, Contacts& out);
 /// then the two meet in nothing but the vertices (by id) and edges that they share.
 bool are_separated(const Constructions& points, const Corners& a, const Corners& b);
 
+inline bool is_corner(PointId p, const Corners& of) {
+  return p == of[0] || p == of[1] || p == of[2];
+}
+
+inline bool have_same_corners(const Corners& a, const Corners& b) {
+  return is_corner(a[0], b) && is_corner(a[1], b) && is_corner(a[2], b);
+}
+
 /// Whether a corner of one triangle and a corner of the other, different ids, are the same explicit point.
 bool have_equal_corners(const Constructions& points, const Corners& a, const Corners& b);
 

@@ -16,26 +16,26 @@ namespace quoin {
 /// A triangle of a leaf mesh as three vertex indices.
 using Tile = std::array<std::uint32_t, 3>;
 
-/// A closed box of floats around something exact.
-struct Box {
+/// A closed box of floats around something exact; `Box3` of the kernel is the exact one.
+struct FloatBox {
   std::array<float, 3> lo;
   std::array<float, 3> hi;
 };
 
 /// Contains nothing and meets nothing.
-constexpr Box empty_box() {
+constexpr FloatBox empty_box() {
   constexpr float infinity = std::numeric_limits<float>::infinity();
   return {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
 }
 
-inline void extend(Box& box, const Box& other) {
+inline void extend(FloatBox& box, const FloatBox& other) {
   for (std::size_t k = 0; k < 3; ++k) {
     box.lo[k] = std::min(box.lo[k], other.lo[k]);
     box.hi[k] = std::max(box.hi[k], other.hi[k]);
   }
 }
 
-inline bool meet(const Box& a, const Box& b) {
+inline bool meet(const FloatBox& a, const FloatBox& b) {
   return a.lo[0] <= b.hi[0] && b.lo[0] <= a.hi[0] && a.lo[1] <= b.hi[1] && b.lo[1] <= a.hi[1] && a.lo[2] <= b.hi[2] &&
          b.lo[2] <= a.hi[2];
 }
@@ -51,7 +51,7 @@ inline float float_above(double x) {
   return -float_below(-x);
 }
 
-inline Box box_of(std::span<const Point3> vertices, const Tile& tile) {
+inline FloatBox box_of(std::span<const Point3> vertices, const Tile& tile) {
   const Point3& p = vertices[tile[0]];
   const Point3& q = vertices[tile[1]];
   const Point3& r = vertices[tile[2]];
@@ -75,16 +75,16 @@ struct BoxBlock {
     const Floats none = {nan, nan, nan, nan};
     return {{none, none, none}, {none, none, none}};
   }
-  void set(std::size_t lane, const Box& box) {
+  void set(std::size_t lane, const FloatBox& box) {
     for (std::size_t k = 0; k < 3; ++k) {
       lo[k][lane] = box.lo[k];
       hi[k][lane] = box.hi[k];
     }
   }
-  Box at(std::size_t lane) const {
+  FloatBox at(std::size_t lane) const {
     return {{lo[0][lane], lo[1][lane], lo[2][lane]}, {hi[0][lane], hi[1][lane], hi[2][lane]}};
   }
-  Mask meets(const Box& box) const {
+  Mask meets(const FloatBox& box) const {
     return (lo[0] <= box.hi[0]) & (hi[0] >= box.lo[0]) & (lo[1] <= box.hi[1]) & (hi[1] >= box.lo[1]) &
            (lo[2] <= box.hi[2]) & (hi[2] >= box.lo[2]);
   }
