@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -38,8 +39,11 @@ class BoxTree {
   static std::vector<TilePair> pairs(const BoxTree& a, const BoxTree& b, const Context& context);
   /// All pairs a < b of tiles of this tree whose boxes meet, also those that share vertices.
   std::vector<TilePair> self_pairs(const Context& context) const;
-  /// The same without the pairs that have a label in common. Three labels per tile; `no_label` is none.
-  std::vector<TilePair> self_pairs(std::span<const Tile> labels, const Context& context) const;
+  /// The same without the pairs that have a label in common and without those that `keep` refuses. Three labels per
+  /// tile; `no_label` is none. `keep` is called from several threads. Only kept pairs take memory; tiles that all share
+  /// a label, as around the apex of a cone, take no time.
+  std::vector<TilePair> self_pairs(std::span<const Tile> labels, const std::function<bool(const TilePair&)>& keep,
+                                   const Context& context) const;
   static constexpr std::uint32_t no_label = 0xFFFFFFFFU;
 
   /// Appends the tiles whose box meets the lines parallel to the axis through the box [lo, hi] of the other two

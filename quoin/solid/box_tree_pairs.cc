@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <array>
+#include <cmath>
 
 #include "quoin/base/parallel.h"
 #include "quoin/solid/box_tree.h"
@@ -17,14 +18,33 @@ struct LabelBlock {
 };
 constexpr std::uint32_t other_no_label = BoxTree::no_label - 1;
 
+constexpr Tile no_labels{BoxTree::no_label, BoxTree::no_label, BoxTree::no_label};
+
+bool have_label(const Tile& labels, std::uint32_t label) {
+  return label != BoxTree::no_label && (label == labels[0] || label == labels[1] || label == labels[2]);
+}
+
+// The labels that both have.
+Tile common_labels(const Tile& a, const Tile& b) {
+  Tile result = no_labels;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (have_label(b, a[k])) result[k] = a[k];
+  }
+  return result;
+}
+
 }  // namespace
 
 // One query for pairs: opens node pairs breadth first into tasks, whose number depends on the trees alone, and lets
 // each task descend depth first.
 class BoxTreePairs {
  public:
-  BoxTreePairs(const BoxTree& a, const BoxTree& b, bool is_self, std::span<const Tile> labels, const Context& context)
-      : a_(a), b_(b), is_self_(is_self), labels_(labels), context_(context) {}
+  using Keep = std::function<bool(const TilePair&)>;
+
+  BoxTreePairs(const BoxTree& a, const BoxTree& b, bool is_self, const Context& context)
+      : a_(a), b_(b), is_self_(is_self), context_(context) {}
+  BoxTreePairs(const BoxTree& tree, std::span<const Tile> labels, const Keep& keep, const Context& context)
+      : a_(tree), b_(tree), is_self_(true), labels_(labels), keep_(&keep), context_(context) {}
 
   std::vector<TilePair> run() {
     if (a_.nodes_.empty() || b_.nodes_.empty() || !meet(a_.nodes_[0].box, b_.nodes_[0].box)) return {};
@@ -59,6 +79,30 @@ class BoxTreePairs {
         }
       }
     });
+    node_labels_.resize(a_.nodes_.size());
+    for (std::size_t n = a_.nodes_.size(); n-- > 0;) {  // children come after their parents
+      const Node& node = a_.nodes_[n];
+      node_labels_[n] = node.block_count != 0 ? labels_of_leaf(node)
+                                              : common_labels(node_labels_[n + 1], node_labels_[node.second_or_block]);
+    }
+  }
+
+  Tile labels_of_leaf(const Node& node) const {
+    Tile result = labels_[a_.block_tiles_[node.second_or_block][0]];
+    for (std::uint32_t block = node.second_or_block; block < node.second_or_block + node.block_count; ++block) {
+      for (std::size_t lane = 0; lane < 4; ++lane) {
+        if (!std::isnan(a_.blocks_[block].lo[0][lane]))
+          result = common_labels(result, labels_[a_.block_tiles_[block][lane]]);
+      }
+    }
+    return result;
+  }
+
+  // All tiles of one node share a label with all tiles of the other, so that no pair is left.
+  bool have_common_label(std::uint32_t i, std::uint32_t j) const {
+    if (node_labels_.empty()) return false;
+    const Tile& labels = node_labels_[i];
+    return labels != no_labels && common_labels(labels, node_labels_[j]) != no_labels;
   }
 
   bool is_final(NodePair pair) const {
@@ -102,9 +146,9 @@ class BoxTreePairs {
     const Node& x = a_.nodes_[pair.a];
     const Node& y = b_.nodes_[pair.b];
     if (is_self_ && pair.a == pair.b) {
-      out.push_back({x.second_or_block, x.second_or_block});
+      push(x.second_or_block, x.second_or_block, out);
       push(pair.a + 1, x.second_or_block, out);
-      out.push_back({pair.a + 1, pair.a + 1});
+      push(pair.a + 1, pair.a + 1, out);
       return;
     }
     if (y.block_count != 0 || (x.block_count == 0 && extent(x) >= extent(y))) {
@@ -117,7 +161,7 @@ class BoxTreePairs {
   }
 
   void push(std::uint32_t i, std::uint32_t j, std::vector<NodePair>& out) const {
-    if (meet(a_.nodes_[i].box, b_.nodes_[j].box)) out.push_back({i, j});
+    if (meet(a_.nodes_[i].box, b_.nodes_[j].box) && !have_common_label(i, j)) out.push_back({i, j});
   }
 
   static float extent(const Node& n) {
@@ -172,7 +216,8 @@ class BoxTreePairs {
     for (std::size_t other = 0; other < 4; ++other) {
       if (hits[other] == 0) continue;
       const std::uint32_t t = b_.block_tiles_[q][other];
-      out.push_back(is_self_ && t < s ? TilePair{t, s} : TilePair{s, t});
+      const TilePair pair = is_self_ && t < s ? TilePair{t, s} : TilePair{s, t};
+      if (keep_ == nullptr || (*keep_)(pair)) out.push_back(pair);
     }
   }
 
@@ -181,19 +226,23 @@ class BoxTreePairs {
   bool is_self_;
   std::span<const Tile> labels_;
   std::vector<LabelBlock> label_blocks_;  // per block of a_; empty without labels
+  std::vector<Tile> node_labels_;         // per node of a_: what all its tiles share; empty without labels
+  const Keep* keep_ = nullptr;
   const Context& context_;
 };
 
 std::vector<TilePair> BoxTree::pairs(const BoxTree& a, const BoxTree& b, const Context& context) {
-  return BoxTreePairs(a, b, false, {}, context).run();
+  return BoxTreePairs(a, b, false, context).run();
 }
 
 std::vector<TilePair> BoxTree::self_pairs(const Context& context) const {
-  return BoxTreePairs(*this, *this, true, {}, context).run();
+  return BoxTreePairs(*this, *this, true, context).run();
 }
 
-std::vector<TilePair> BoxTree::self_pairs(std::span<const Tile> labels, const Context& context) const {
-  return BoxTreePairs(*this, *this, true, labels, context).run();
+std::vector<TilePair> BoxTree::self_pairs(std::span<const Tile> labels,
+                                          const std::function<bool(const TilePair&)>& keep,
+                                          const Context& context) const {
+  return BoxTreePairs(*this, labels, keep, context).run();
 }
 
 }  // namespace quoin

@@ -63,8 +63,8 @@ void expect_all_pairs(std::vector<TilePair> found, const std::vector<TilePair>& 
 void expect_pairs_without_common_label(const BoxTree& tree, std::size_t count) {
   std::vector<Tile> labels;
   for (std::uint32_t t = 0; t < count; ++t) {
-    const std::uint32_t third = t % 3 == 0 ? BoxTree::no_label : t % 5;
-    labels.push_back(Tile{t / 2, BoxTree::no_label, third});
+    const std::uint32_t third = t % 3 == 0 ? BoxTree::no_label : 20 + t % 5;
+    labels.push_back(Tile{100 + t / 2, BoxTree::no_label, third});
   }
   const auto is_kept = [&](const TilePair& pair) {
     for (const std::uint32_t a : labels[pair.a]) {
@@ -76,7 +76,17 @@ void expect_pairs_without_common_label(const BoxTree& tree, std::size_t count) {
   };
   std::vector<TilePair> expected = tree.self_pairs(context);
   std::erase_if(expected, [&](const TilePair& pair) { return !is_kept(pair); });
-  EXPECT_EQ(tree.self_pairs(labels, context), expected);
+  const auto all = [](const TilePair&) { return true; };
+  EXPECT_EQ(tree.self_pairs(labels, all, context), expected);
+  const auto odd = [](const TilePair& pair) { return pair.a % 2 != 0; };
+  std::erase_if(expected, [&](const TilePair& pair) { return !odd(pair); });
+  EXPECT_EQ(tree.self_pairs(labels, odd, context), expected);
+  for (Tile& label : labels) label[1] = 7 + label[0] % 3;  // shared by all tiles of some nodes
+  expected = tree.self_pairs(context);
+  std::erase_if(expected, [&](const TilePair& pair) { return !is_kept(pair); });
+  EXPECT_EQ(tree.self_pairs(labels, all, context), expected);
+  for (Tile& label : labels) label[1] = 7;
+  EXPECT_TRUE(tree.self_pairs(labels, all, context).empty());
 }
 
 TEST(BoxTree, QueriesMissNothing) {

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "quoin/base/disjoint_sets.h"
-#include "quoin/base/parallel.h"
 #include "quoin/solid/leaf_tiles.h"
 #include "quoin/solid/overlay/contacts.h"
 #include "quoin/solid/overlay/winding.h"
@@ -54,18 +53,13 @@ void find_self_crossings(Leaf& leaf, const Constructions& points, std::size_t ma
                          const Context& context) {
   context.progress("self-crossings", 0);
   const SelfCrossings crossings(leaf, points, context);
-  const std::vector<TilePair> pairs = leaf.tree.self_pairs(crossings.certified_corners(), context);
-  constexpr std::size_t grain = 4096;
-  std::vector<std::vector<FacePair>> found(chunk_count(pairs.size(), grain));
-  for_each_chunk(context, pairs.size(), grain, [&](const Chunk& chunk) {
-    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-      if (!crossings.meet(pairs[i])) continue;
-      const auto [a, b] = std::minmax(leaf.tile_face[pairs[i].a], leaf.tile_face[pairs[i].b]);
-      found[chunk.index].push_back({a, b});
-    }
-  });
+  const std::vector<TilePair> pairs = leaf.tree.self_pairs(
+      crossings.certified_corners(), [&](const TilePair& pair) { return crossings.meet(pair); }, context);
   std::vector<FacePair> all;
-  for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());
+  for (const TilePair& pair : pairs) {
+    const auto [a, b] = std::minmax(leaf.tile_face[pair.a], leaf.tile_face[pair.b]);
+    all.push_back({a, b});
+  }
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end()), all.end());
   leaf.crosses_itself = !all.empty();

@@ -184,6 +184,15 @@ TEST(StarCertificate, NeverHidesACrossing) {
   EXPECT_GT(crossing, 200U);
 }
 
+// Edges of regular cones lie in the plane of the half-line itself.
+TEST(StarCertificate, CertifiesTheApexOfRegularCones) {
+  for (const std::uint32_t sides : {3U, 4U, 8U, 1000U}) {
+    const LeafResult cone = leaf_of(shapes::pyramid(sides, 1, 1));
+    const std::vector<std::uint8_t> certified = certify_stars(*cone.leaf, context);
+    EXPECT_EQ(std::count(certified.begin(), certified.end(), 1), static_cast<std::ptrdiff_t>(certified.size()));
+  }
+}
+
 TEST(StarCertificate, CertifiesSmoothSurfaces) {
   const LeafResult sphere = leaf_of(shapes::geodesic_sphere(30));
   const std::vector<std::uint8_t> certified = certify_stars(*sphere.leaf, context);

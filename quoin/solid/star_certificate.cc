@@ -15,6 +15,8 @@
 #include <cmath>
 #include <utility>
 
+#include "quoin/kernel/order.h"
+
 namespace quoin {
 
 namespace {
@@ -24,6 +26,10 @@ constexpr double smallest_safe = 1e-250;
 
 Vector3 minus(const Point3& a, const Point3& b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+Vector3 minus(const Vector3& a) {
+  return {-a.x, -a.y, -a.z};
 }
 
 double dot(const Vector3& a, const Vector3& b) {
@@ -118,17 +124,28 @@ class StarCertifier {
       const std::size_t before = (k + 2) % 3;
       const View& view = views_[tile[k]];
       const double det = dot(edges.normal, view.d);
-      const double out = dot(edges.edge[k], view.w);
-      const double in = dot(edges.edge[before], view.w);  // towards the vertex
       const bool has_twins = (leaf_.twins[3 * t + k] != Leaf::no_twin) & (leaf_.twins[3 * t + before] != Leaf::no_twin);
-      const bool certain = has_twins & (det > 0) & (normal_size > smallest_safe) &
-                           is_certain(det, normal_size * view.d_size) & is_certain(out, edges.size[k] * view.w_size) &
-                           is_certain(in, edges.size[before] * view.w_size);
+      const bool is_turning =
+          has_twins & (det > 0) & (normal_size > smallest_safe) & is_certain(det, normal_size * view.d_size);
       std::uint8_t& turns = turns_[tile[k]];
-      const bool passes = (out < 0) & (in < 0);
+      if (!is_turning) {
+        turns |= uncertain;
+        continue;
+      }
+      const bool passes = is_before(view, tile[k], tile[(k + 1) % 3], edges.edge[k], edges.size[k]) &
+                          !is_before(view, tile[k], tile[before], minus(edges.edge[before]), edges.size[before]);
       const auto counted = static_cast<std::uint8_t>(std::min<unsigned>(turns & 0x7FU, 2U) + (passes ? 1U : 0U));
-      turns = static_cast<std::uint8_t>(counted | (turns & uncertain) | (certain ? 0U : uncertain));
+      turns = static_cast<std::uint8_t>(counted | (turns & uncertain));
     }
+  }
+
+  // Whether the edge from v to p lies on the negative side of the plane w . e = 0, exactly. An edge in the plane counts
+  // as positive: turning with the star, the half-line is passed on the way from negative to not negative.
+  bool is_before(const View& view, std::uint32_t v, std::uint32_t p, const Vector3& e, double size) const {
+    const double value = dot(e, view.w);
+    if (is_certain(value, size * view.w_size)) [[likely]]
+      return value < 0;
+    return compare_along(view.w, leaf_.vertices[p], leaf_.vertices[v]) == Sign::negative;
   }
 
   const Leaf& leaf_;

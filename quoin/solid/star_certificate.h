@@ -12,9 +12,9 @@ namespace quoin {
 /// Per vertex, whether it is certain that the tiles around it meet in nothing but the vertex and their shared edges.
 ///
 /// Seen along the sum d of the tiles' normals, the star of such a vertex is a fan that turns just once: every tile (v,
-/// a, b) has det(a - v, b - v, d) > 0, and just one of them crosses the half-line along which turning is counted. All
-/// signs are certain by a filter; where one is not, the vertex is not certified, so a certificate decides which tests
-/// are run, never a result. O(n).
+/// a, b) has det(a - v, b - v, d) > 0, and just one of them crosses the half-line along which turning is counted. The
+/// determinants are certain by a filter, the crossings exact; where a determinant is not certain, the vertex is not
+/// certified, so a certificate decides which tests are run, never a result. O(n).
 std::vector<std::uint8_t> certify_stars(const Leaf& leaf, const Context& context);
 
 }  // namespace quoin
