@@ -189,7 +189,9 @@ TEST(StarCertificate, CertifiesTheApexOfRegularCones) {
   for (const std::uint32_t sides : {3U, 4U, 8U, 1000U}) {
     const LeafResult cone = leaf_of(shapes::pyramid(sides, 1, 1));
     const std::vector<std::uint8_t> certified = certify_stars(*cone.leaf, context);
-    EXPECT_EQ(std::count(certified.begin(), certified.end(), 1), static_cast<std::ptrdiff_t>(certified.size()));
+    for (std::size_t v = 0; v < certified.size(); ++v) {
+      if (cone.leaf->vertices[v].z == 1) EXPECT_EQ(certified[v], 1) << sides << " sides";
+    }
   }
 }
 
