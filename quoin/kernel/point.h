@@ -26,6 +26,8 @@ struct Vector3 {
   double x = 0;
   double y = 0;
   double z = 0;
+
+  constexpr double operator[](std::size_t axis) const { return axis == 0 ? x : axis == 1 ? y : z; }
   friend constexpr bool operator==(const Vector3&, const Vector3&) = default;
 };
 

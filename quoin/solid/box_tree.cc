@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 #include "quoin/base/parallel.h"
 #include "quoin/solid/morton_order.h"
@@ -32,12 +33,20 @@ BoxTree::BoxTree(std::span<const Point3> vertices, std::span<const Tile> tiles, 
   for_each_chunk(context, tiles.size(), 16384, [&](const Chunk& chunk) {
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) boxes[i] = box_of(vertices, tiles[i]);
   });
+  build(boxes, context);
+}
+
+BoxTree::BoxTree(std::span<const FloatBox> boxes, const Context& context) : size_(boxes.size()) {
+  if (!boxes.empty()) build(boxes, context);
+}
+
+void BoxTree::build(std::span<const FloatBox> boxes, const Context& context) {
   FloatBox all = empty_box();
   for (const FloatBox& box : boxes) extend(all, box);
   const MortonOrder morton = morton_order(boxes, all, context);
-  nodes_.reserve(tiles.size() / 4 + 1);
-  blocks_.reserve(tiles.size() / 3 + 1);
-  block_tiles_.reserve(tiles.size() / 3 + 1);
+  nodes_.reserve(boxes.size() / 4 + 1);
+  blocks_.reserve(boxes.size() / 3 + 1);
+  block_tiles_.reserve(boxes.size() / 3 + 1);
   build(morton.keys, morton.order, boxes);
 }
 
@@ -107,6 +116,33 @@ void BoxTree::tiles_on_line(unsigned axis, std::array<double, 2> lo, std::array<
       [&](const FloatBox& box) {
         return box.lo[axes[0]] <= high[0] && low[0] <= box.hi[axes[0]] && box.lo[axes[1]] <= high[1] &&
                low[1] <= box.hi[axes[1]];
+      },
+      out);
+}
+
+// Along each axis k, the box and the line are projected along that axis: the box meets the projected line where the
+// distance of its centre, times the line's length, is at most that of its corners. Every product is off by a few units
+// of 2^-53 of the factors' sizes, which the margin of 2^-40 of them outdoes; what is not a number is taken as near.
+void BoxTree::tiles_near_line(const Point3& point, const Vector3& direction, std::vector<std::uint32_t>& out) const {
+  collect(
+      [&](const FloatBox& box) {
+        if (!(box.lo[0] <= box.hi[0])) return false;
+        for (unsigned k = 0; k < 3; ++k) {
+          const unsigned u = (k + 1) % 3;
+          const unsigned v = (k + 2) % 3;
+          const double cu = (double{box.lo[u]} + double{box.hi[u]}) / 2;
+          const double cv = (double{box.lo[v]} + double{box.hi[v]}) / 2;
+          const double hu = (double{box.hi[u]} - double{box.lo[u]}) / 2;
+          const double hv = (double{box.hi[v]} - double{box.lo[v]}) / 2;
+          const double du = std::fabs(direction[u]);
+          const double dv = std::fabs(direction[v]);
+          const double distance = direction[u] * (cv - point[v]) - direction[v] * (cu - point[u]);
+          const double margin = 0x1p-40 * (du * (std::fabs(cv) + hv + std::fabs(point[v])) +
+                                           dv * (std::fabs(cu) + hu + std::fabs(point[u]))) +
+                                1e-300;
+          if (std::fabs(distance) > du * hv + dv * hu + margin) return false;
+        }
+        return true;
       },
       out);
 }

@@ -31,6 +31,9 @@ class BoxTree {
   /// O(n log n). The arrays are read, not kept.
   BoxTree(std::span<const Point3> vertices, std::span<const Tile> tiles, const Context& context);
 
+  /// The same of boxes; "tiles" are then their indices.
+  BoxTree(std::span<const FloatBox> boxes, const Context& context);
+
   std::size_t size() const { return size_; }
   /// lo x, y, z, hi x, y, z of everything; an inverted box when empty.
   std::array<float, 6> bounds() const;
@@ -50,6 +53,9 @@ class BoxTree {
   /// coordinates ((axis+1)%3, (axis+2)%3).
   void tiles_on_line(unsigned axis, std::array<double, 2> lo, std::array<double, 2> hi,
                      std::vector<std::uint32_t>& out) const;
+  /// Appends the tiles whose box meets the line through the point, and maybe some close to it; coordinates off by an
+  /// ulp do not lose any.
+  void tiles_near_line(const Point3& point, const Vector3& direction, std::vector<std::uint32_t>& out) const;
   /// Appends the tiles whose box meets the box.
   void tiles_in_box(const Point3& lo, const Point3& hi, std::vector<std::uint32_t>& out) const;
 
@@ -64,6 +70,7 @@ class BoxTree {
     std::uint32_t block_count;
   };
 
+  void build(std::span<const FloatBox> boxes, const Context& context);
   std::uint32_t build(std::span<const std::uint32_t> keys, std::span<const std::uint32_t> order,
                       std::span<const FloatBox> boxes);
   void fill_leaf(std::uint32_t node, std::span<const std::uint32_t> order, std::span<const FloatBox> boxes);

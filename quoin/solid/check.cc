@@ -1,24 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "quoin/solid/check.h"
 
+#include "quoin/solid/boundary_crossings.h"
 #include "quoin/solid/measure.h"
 #include "quoin/solid/topology_counts.h"
 
 namespace quoin {
 
 namespace {
-
-RationalPoint3 minus(const RationalPoint3& a, const RationalPoint3& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-
-RationalPoint3 cross(const RationalPoint3& a, const RationalPoint3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-Rational dot(const RationalPoint3& a, const RationalPoint3& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
 
 class BoundaryChecker {
  public:
@@ -34,6 +23,8 @@ class BoundaryChecker {
     const TopologyCounts counts = count_topology(b_);
     if (counts.unbalanced_edges != 0) say(std::to_string(counts.unbalanced_edges) + " edges are not balanced");
     check_euler(counts);
+    if (!violations_.empty()) return std::move(violations_);
+    for (std::string& violation : find_boundary_crossings(b_, max_listed_, context_)) say(std::move(violation));
     return std::move(violations_);
   }
 
@@ -62,15 +53,14 @@ class BoundaryChecker {
   void check_face(std::uint32_t f) {
     const auto& plane = b_.face_planes[f];
     const RationalPoint3 origin = b_.points.exact(plane[0]);
-    const RationalPoint3 normal =
-        cross(minus(b_.points.exact(plane[1]), origin), minus(b_.points.exact(plane[2]), origin));
+    const RationalPoint3 normal = cross(b_.points.exact(plane[1]) - origin, b_.points.exact(plane[2]) - origin);
     for (std::uint32_t l = b_.face_first_loop[f]; l < b_.face_first_loop[f + 1]; ++l) {
       const auto loop = b_.loop(l);
       if (loop.size() < 3)
         say("face " + std::to_string(f) + " has a loop of " + std::to_string(loop.size()) + " vertices");
       for (std::size_t i = 0; i < loop.size(); ++i) {
         const RationalPoint3 p = b_.points.exact(loop[i]);
-        if (dot(normal, minus(p, origin)).sign() != Sign::zero)
+        if (dot(normal, p - origin).sign() != Sign::zero)
           say("face " + std::to_string(f) + ": vertex " + std::to_string(loop[i].value) + " is off its plane");
         if (loop[i] == loop[i + 1 == loop.size() ? 0 : i + 1])
           say("face " + std::to_string(f) + " has an edge of length zero");

@@ -61,6 +61,12 @@ inline FloatBox box_of(std::span<const Point3> vertices, const Tile& tile) {
            float_above(std::max(std::max(p.z, q.z), r.z))}};
 }
 
+/// Around one point; also around any exact point whose coordinates round to these doubles.
+inline FloatBox box_of(const Point3& p) {
+  return {{float_below(p.x), float_below(p.y), float_below(p.z)},
+          {float_above(p.x), float_above(p.y), float_above(p.z)}};
+}
+
 /// Four boxes side by side, coordinate by coordinate.
 struct BoxBlock {
   using Floats = float __attribute__((vector_size(16)));

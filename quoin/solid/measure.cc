@@ -11,18 +11,6 @@ namespace quoin {
 
 namespace {
 
-RationalPoint3 cross(const RationalPoint3& a, const RationalPoint3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-Rational dot(const RationalPoint3& a, const RationalPoint3& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-RationalPoint3 minus(const RationalPoint3& a, const RationalPoint3& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-
 void add(RationalPoint3& sum, const RationalPoint3& p) {
   sum.x += p.x;
   sum.y += p.y;
@@ -154,7 +142,7 @@ RationalPoint3 area_vector(const Brep& boundary, std::uint32_t face) {
   for_each_loop(boundary, face, [&](std::span<const PointId> loop) {
     const RationalPoint3 apex = boundary.points.exact(loop[0]);
     for (std::size_t i = 2; i < loop.size(); ++i) {
-      add(twice, cross(minus(boundary.points.exact(loop[i - 1]), apex), minus(boundary.points.exact(loop[i]), apex)));
+      add(twice, cross(boundary.points.exact(loop[i - 1]) - apex, boundary.points.exact(loop[i]) - apex));
     }
   });
   const Rational half(0.5);

@@ -16,25 +16,15 @@ using Triangle = std::array<Point3, 3>;
 RationalPoint3 exact(const Point3& p) {
   return {Rational(p.x), Rational(p.y), Rational(p.z)};
 }
-RationalPoint3 minus(const RationalPoint3& a, const RationalPoint3& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-RationalPoint3 cross(const RationalPoint3& a, const RationalPoint3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-Rational dot(const RationalPoint3& a, const RationalPoint3& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
 struct Exact {
   std::array<RationalPoint3, 3> p;
   RationalPoint3 normal;
   explicit Exact(const Triangle& t)
-      : p{exact(t[0]), exact(t[1]), exact(t[2])}, normal(cross(minus(p[1], p[0]), minus(p[2], p[0]))) {}
+      : p{exact(t[0]), exact(t[1]), exact(t[2])}, normal(cross((p[1] - p[0]), (p[2] - p[0]))) {}
   bool contains(const RationalPoint3& q) const {  // closed; q anywhere
-    if (dot(normal, minus(q, p[0])).sign() != Sign::zero) return false;
+    if (dot(normal, (q - p[0])).sign() != Sign::zero) return false;
     for (std::size_t k = 0; k < 3; ++k) {
-      const RationalPoint3 side = cross(minus(p[(k + 1) % 3], p[k]), minus(q, p[k]));
+      const RationalPoint3 side = cross((p[(k + 1) % 3] - p[k]), (q - p[k]));
       if (dot(side, normal).sign() == Sign::negative) return false;
     }
     return true;
@@ -56,10 +46,10 @@ bool meet_by_definition(const Triangle& s, const Triangle& t) {
     }
     for (std::size_t k = 0; k < 3; ++k) {
       const RationalPoint3& u = x->p[k];
-      const RationalPoint3 d = minus(x->p[(k + 1) % 3], u);
+      const RationalPoint3 d = (x->p[(k + 1) % 3] - u);
       const Rational rise = dot(y->normal, d);
       if (rise.sign() != Sign::zero) {
-        const Rational at = dot(y->normal, minus(y->p[0], u)) / rise;
+        const Rational at = dot(y->normal, (y->p[0] - u)) / rise;
         if (at.sign() == Sign::negative || at > Rational(1)) continue;
         const RationalPoint3 q{u.x + at * d.x, u.y + at * d.y, u.z + at * d.z};
         if (y->contains(q)) common.push_back(q);
@@ -67,10 +57,10 @@ bool meet_by_definition(const Triangle& s, const Triangle& t) {
       }
       for (std::size_t j = 0; j < 3; ++j) {  // edges that cross in one plane
         const RationalPoint3& v = y->p[j];
-        const RationalPoint3 e = minus(y->p[(j + 1) % 3], v);
+        const RationalPoint3 e = (y->p[(j + 1) % 3] - v);
         const RationalPoint3 n = cross(d, e);
-        if (dot(n, n).sign() == Sign::zero || dot(n, minus(v, u)).sign() != Sign::zero) continue;
-        const Rational at = dot(cross(minus(v, u), e), n) / dot(n, n);
+        if (dot(n, n).sign() == Sign::zero || dot(n, (v - u)).sign() != Sign::zero) continue;
+        const Rational at = dot(cross((v - u), e), n) / dot(n, n);
         const RationalPoint3 q{u.x + at * d.x, u.y + at * d.y, u.z + at * d.z};
         if (x->contains(q) && y->contains(q)) common.push_back(q);
       }
@@ -84,7 +74,7 @@ bool meet_by_definition(const Triangle& s, const Triangle& t) {
   for (const RationalPoint3& q : common) {
     bool is_shared = is_corner(a, q) && is_corner(b, q);
     if (shared.size() == 2) {
-      const RationalPoint3 n = cross(minus(shared[1], shared[0]), minus(q, shared[0]));
+      const RationalPoint3 n = cross((shared[1] - shared[0]), (q - shared[0]));
       is_shared = is_shared || dot(n, n).sign() == Sign::zero;
     }
     if (!is_shared) return true;

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quoin/solid/boundary_crossings.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <tuple>
+
+#include "quoin/solid/query/face_place.h"
+#include "quoin/solid/query/point_location.h"
+
+namespace quoin {
+
+namespace {
+
+struct BoundaryEdge {
+  PointId a;  // smaller
+  PointId b;
+  friend auto operator<=>(const BoundaryEdge&, const BoundaryEdge&) = default;
+};
+
+class CrossingFinder {
+ public:
+  CrossingFinder(const Brep& boundary, std::size_t max_listed, const Context& context)
+      : b_(boundary), max_listed_(max_listed), context_(context), locator_(boundary, context) {}
+
+  std::vector<std::string> run() {
+    gather_edges();
+    check_vertices_on_edges();
+    check_edges_against_edges();
+    check_edges_against_faces();
+    check_sides();
+    check_shells();
+    return std::move(violations_);
+  }
+
+ private:
+  struct EdgeUse {
+    BoundaryEdge edge;
+    std::uint32_t face;
+    friend auto operator<=>(const EdgeUse&, const EdgeUse&) = default;
+  };
+
+  void say(std::string violation) {
+    if (violations_.size() < max_listed_) violations_.push_back(std::move(violation));
+  }
+
+  static std::string name(const BoundaryEdge& e) {
+    return "edge " + std::to_string(e.a.value) + "-" + std::to_string(e.b.value);
+  }
+  static std::string name(std::uint32_t face) { return "face " + std::to_string(face); }
+
+  template <class Visit>
+  void for_each_edge(std::uint32_t face, const Visit& visit) const {
+    for (std::uint32_t l = b_.face_first_loop[face]; l < b_.face_first_loop[face + 1]; ++l) {
+      const std::span<const PointId> loop = b_.loop(l);
+      for (std::size_t i = 0; i < loop.size(); ++i) visit(loop[i], loop[i + 1 == loop.size() ? 0 : i + 1]);
+    }
+  }
+
+  void gather_edges() {
+    for (std::uint32_t f = 0; f < b_.face_count(); ++f) {
+      for_each_edge(f, [&](PointId p, PointId q) {
+        uses_.push_back({{std::min(p, q), std::max(p, q)}, f});
+        vertices_.push_back(p);
+      });
+    }
+    std::sort(uses_.begin(), uses_.end());
+    for (const EdgeUse& use : uses_) {
+      if (edges_.empty() || edges_.back() != use.edge) edges_.push_back(use.edge);
+    }
+    std::sort(vertices_.begin(), vertices_.end());
+    vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
+    std::vector<FloatBox> boxes;
+    for (const BoundaryEdge& e : edges_) {
+      boxes.push_back(box_of(b_.points.rounded(e.a)));
+      extend(boxes.back(), box_of(b_.points.rounded(e.b)));
+    }
+    edge_tree_ = BoxTree(boxes, context_);
+  }
+
+  bool bounds(const BoundaryEdge& edge, std::uint32_t face) const {
+    return std::binary_search(uses_.begin(), uses_.end(), EdgeUse{edge, face});
+  }
+
+  PlacedPoint placed(PointId p) const { return {b_.points, b_.points.exact(p)}; }
+
+  static bool is_between(const PlacedPoint& p, const BoundaryEdge& e) {
+    for (unsigned axis = 0; axis < 3; ++axis) {
+      if (p.compare(e.a, axis) * p.compare(e.b, axis) == Sign::positive) return false;
+    }
+    return true;
+  }
+
+  static bool is_on_line(const PlacedPoint& p, const BoundaryEdge& e) {
+    for (unsigned axis = 0; axis < 3; ++axis) {
+      if (p.turn(e.a, e.b, axis) != Sign::zero) return false;
+    }
+    return true;
+  }
+
+  void check_vertices_on_edges() {
+    std::vector<std::uint32_t> near;
+    for (const PointId v : vertices_) {
+      poll();
+      const Point3& at = b_.points.rounded(v);
+      near.clear();
+      edge_tree_.tiles_in_box(at, at, near);
+      std::optional<PlacedPoint> point;
+      for (const std::uint32_t n : near) {
+        const BoundaryEdge& e = edges_[n];
+        if (e.a == v || e.b == v) continue;
+        if (!point) point = placed(v);
+        if (is_between(*point, e) && is_on_line(*point, e)) {
+          say("vertex " + std::to_string(v.value) + " lies on " + name(e) + ", which it does not end");
+        }
+      }
+    }
+  }
+
+  // Edges without a common end; those whose ends lie on one another were found above.
+  void check_edges_against_edges() {
+    std::vector<Tile> ends;
+    for (const BoundaryEdge& e : edges_) ends.push_back({e.a.value, e.b.value, BoxTree::no_label});
+    const auto all = [](const TilePair&) { return true; };
+    for (const TilePair& pair : edge_tree_.self_pairs(ends, all, context_)) {
+      poll();
+      if (cross(edges_[pair.a], edges_[pair.b])) say(name(edges_[pair.a]) + " crosses " + name(edges_[pair.b]));
+    }
+  }
+
+  bool cross(const BoundaryEdge& e, const BoundaryEdge& f) const {
+    const PlacedPoint fa = placed(f.a);
+    const PlacedPoint fb = placed(f.b);
+    if (placed(e.a).side(e.b, f.a, f.b) != Sign::zero) return false;
+    for (unsigned axis = 0; axis < 3; ++axis) {
+      const Sign a_side = fa.turn(e.a, e.b, axis);
+      const Sign b_side = fb.turn(e.a, e.b, axis);
+      if (a_side == Sign::zero && b_side == Sign::zero) continue;  // nothing is seen along this axis
+      return a_side * b_side == Sign::negative &&
+             placed(e.a).turn(f.a, f.b, axis) * placed(e.b).turn(f.a, f.b, axis) == Sign::negative;
+    }
+    return false;
+  }
+
+  void check_edges_against_faces() {
+    std::vector<std::uint32_t> near;
+    for (const BoundaryEdge& e : edges_) {
+      poll();
+      const Point3& a = b_.points.rounded(e.a);
+      const Point3& b = b_.points.rounded(e.b);
+      near.clear();
+      locator_.tree().tiles_in_box({std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)},
+                                   {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}, near);
+      for (const std::uint32_t face : near) {
+        if (!bounds(e, face)) check_edge_against_face(e, face);
+      }
+    }
+  }
+
+  void check_edge_against_face(const BoundaryEdge& e, std::uint32_t face) {
+    const PlacedPoint from = placed(e.a);
+    const PlacedPoint to = placed(e.b);
+    const Sign from_side = side_of_face(b_, face, from);
+    const Sign to_side = side_of_face(b_, face, to);
+    if (from_side * to_side == Sign::negative) {
+      if (is_inside(meet(from.exact(), to.exact(), face), face)) say(name(e) + " pierces " + name(face));
+    } else if (from_side == Sign::zero && to_side == Sign::zero) {
+      // No vertex inside an edge and no crossing of edges: all of it is inside or nothing.
+      if (is_inside((from.exact() + to.exact()) * Rational(0.5), face))
+        say(name(e) + " runs inside " + name(face) + ", which it does not bound");
+    }
+  }
+
+  RationalPoint3 meet(const RationalPoint3& p, const RationalPoint3& q, std::uint32_t face) const {
+    const auto& plane = b_.face_planes[face];
+    const RationalPoint3 a = b_.points.exact(plane[0]);
+    const RationalPoint3 normal = quoin::cross(b_.points.exact(plane[1]) - a, b_.points.exact(plane[2]) - a);
+    const Rational before = dot(normal, p - a);
+    return p + (q - p) * (before / (before - dot(normal, q - a)));
+  }
+
+  bool is_inside(const RationalPoint3& point, std::uint32_t face) const {
+    return place_in_face(b_, face, PlacedPoint(b_.points, point), projection_axis(b_, face)).kind ==
+           FacePlace::Kind::inside;
+  }
+
+  // A point inside each face: no other face holds it, and a line from it outward counts what surrounds it.
+  void check_sides() {
+    around_.assign(b_.shells.size(), {});
+    for (std::uint32_t f = 0; f < b_.face_count(); ++f) {
+      poll();
+      check_side(f);
+    }
+  }
+
+  void check_side(std::uint32_t face) {
+    const unsigned axis = projection_axis(b_, face);
+    const auto& plane = b_.face_planes[face];
+    const Sign up = b_.points.turn(plane[0], plane[1], plane[2], axis);
+    const PlacedPoint point(b_.points, interior_point(b_, face));
+    std::vector<std::uint32_t> near;
+    locator_.tree().tiles_on_line(axis, {point.rounded()[(axis + 1) % 3], point.rounded()[(axis + 2) % 3]},
+                                  {point.rounded()[(axis + 1) % 3], point.rounded()[(axis + 2) % 3]}, near);
+    std::size_t ahead = 0;   // faces in the direction of the outward normal
+    std::size_t others = 0;  // of them, those of other shells
+    for (const std::uint32_t f : near) {
+      if (f == face || !place_in_face(b_, f, point, axis).is_inside_when_moved) continue;
+      const auto& other = b_.face_planes[f];
+      const Sign other_up = b_.points.turn(other[0], other[1], other[2], axis);
+      const Sign side = side_of_face(b_, f, point);
+      if (side == Sign::zero) {
+        if (face < f) say(name(face) + " and " + name(f) + " lie on one another");
+        return;
+      }
+      if (other_up * side * up != Sign::negative) continue;
+      ++ahead;
+      if (b_.face_shells[f] != b_.face_shells[face]) ++others;
+    }
+    if ((ahead % 2 != 0) != b_.is_unbounded) say(name(face) + " has the solid on its outward side");
+    around_[b_.face_shells[face]] = others % 2 != 0;
+  }
+
+  // A void lies inside an odd number of other shells, an outer shell inside an even number; the other way round in
+  // unbounded solids.
+  void check_shells() {
+    std::uint32_t outer = 0;
+    for (std::size_t s = 0; s < b_.shells.size(); ++s) {
+      if (!around_[s]) {
+        say("shell " + std::to_string(s) + " has no faces");
+      } else if (b_.shells[s].is_void != (*around_[s] != b_.is_unbounded)) {
+        say("shell " + std::to_string(s) + " is declared " + (b_.shells[s].is_void ? "a void" : "an outer one") +
+            " and is not");
+      }
+      outer += b_.shells[s].is_void ? 0 : 1;
+    }
+    const std::uint32_t components = outer + (b_.is_unbounded ? 1 : 0);
+    if (components != b_.component_count) {
+      say(std::to_string(b_.component_count) + " components are declared, and there are " + std::to_string(components));
+    }
+  }
+
+  void poll() {
+    if (++polls_ % 64 == 0) context_.poll();
+  }
+
+  const Brep& b_;
+  std::size_t max_listed_;
+  const Context& context_;
+  PointLocator locator_;
+  std::vector<EdgeUse> uses_;  // sorted
+  std::vector<BoundaryEdge> edges_;
+  std::vector<PointId> vertices_;
+  BoxTree edge_tree_;
+  std::vector<std::optional<bool>> around_;  // per shell: an odd number of other shells is around it
+  std::size_t polls_ = 0;
+  std::vector<std::string> violations_;
+};
+
+}  // namespace
+
+std::vector<std::string> find_boundary_crossings(const Brep& boundary, std::size_t max_listed, const Context& context) {
+  return CrossingFinder(boundary, max_listed, context).run();
+}
+
+}  // namespace quoin
