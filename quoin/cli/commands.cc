@@ -32,15 +32,6 @@ const char* name_of(Rounding rounding, bool accepted) {
   return rounding == Rounding::certified ? "certified" : accepted ? "accepted" : "failed";
 }
 
-bool is_exact_text(const std::string& name) {
-  return std::filesystem::path(name).extension() == ".qsolid";
-}
-
-void print_warnings(const std::vector<std::string>& warnings, const Options& options) {
-  if (options.quiet) return;
-  for (const std::string& w : warnings) std::cerr << "quoin: warning: " << w << "\n";
-}
-
 // The report of a command that made a solid, on standard output, or on standard error where the solid itself goes
 // there.
 int report(const Brep& boundary, const OutputReport& output, const std::vector<std::string>& warnings, double seconds,
@@ -80,13 +71,6 @@ int finish(const Brep& boundary, const std::string& title, std::vector<std::stri
 
 std::string stem(const std::string& name) {
   return name == "-" ? "input" : std::filesystem::path(name).stem().string();
-}
-
-// Exact text or a mesh as a boundary.
-std::shared_ptr<const Brep> load_boundary(const std::string& name, const Options& options,
-                                          std::vector<std::string>& warnings, const Context& context) {
-  if (is_exact_text(name)) return std::make_shared<const Brep>(read_exact_text(read_file(name), name));
-  return Solid::from_leaf(load_leaf(name, options, warnings, context), context).shared_boundary();
 }
 
 Solid load_operand(const std::string& name, const Options& options, std::vector<std::string>& warnings,

@@ -14,6 +14,9 @@ int run_info(const Options& options, const Context& context);
 int run_check(const Options& options, const Context& context);
 int run_repair(const Options& options, const Context& context);
 int run_convert(const Options& options, const Context& context);
+int run_classify(const Options& options, const Context& context);
+int run_section(const Options& options, const Context& context);
+int run_interfere(const Options& options, const Context& context);
 int run_view(const Options& options, const Context& context);
 
 }  // namespace quoin::cli

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "quoin/base/error.h"
+#include "quoin/io/exact_text.h"
 
 namespace quoin::cli {
 
@@ -74,6 +75,21 @@ std::shared_ptr<const Leaf> load_leaf(const std::string& name, const Options& op
   }
   for (const std::string& line : findings) warnings.push_back(name + ": " + line);
   return result.leaf;
+}
+
+bool is_exact_text(const std::string& name) {
+  return std::filesystem::path(name).extension() == ".qsolid";
+}
+
+std::shared_ptr<const Brep> load_boundary(const std::string& name, const Options& options,
+                                          std::vector<std::string>& warnings, const Context& context) {
+  if (is_exact_text(name)) return std::make_shared<const Brep>(read_exact_text(read_file(name), name));
+  return Solid::from_leaf(load_leaf(name, options, warnings, context), context).shared_boundary();
+}
+
+void print_warnings(const std::vector<std::string>& warnings, const Options& options) {
+  if (options.quiet) return;
+  for (const std::string& w : warnings) std::cerr << "quoin: warning: " << w << "\n";
 }
 
 }  // namespace quoin::cli

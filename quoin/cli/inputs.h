@@ -7,7 +7,7 @@
 #include "quoin/base/context.h"
 #include "quoin/cli/options.h"
 #include "quoin/io/mesh_file.h"
-#include "quoin/solid/leaf.h"
+#include "quoin/solid/solid.h"
 
 namespace quoin::cli {
 
@@ -18,6 +18,15 @@ Mesh load_mesh(const std::string& name, const Options& options, std::vector<std:
 /// Reads an operand. @throws InputError with the diagnosis when it does not bound a solid
 std::shared_ptr<const Leaf> load_leaf(const std::string& name, const Options& options,
                                       std::vector<std::string>& warnings, const Context& context);
+
+/// Whether a name ends in .qsolid.
+bool is_exact_text(const std::string& name);
+
+/// Exact text or a mesh as a boundary.
+std::shared_ptr<const Brep> load_boundary(const std::string& name, const Options& options,
+                                          std::vector<std::string>& warnings, const Context& context);
+
+void print_warnings(const std::vector<std::string>& warnings, const Options& options);
 
 /// One line per kind of finding, with the first elements.
 std::vector<std::string> describe(const MeshDiagnosis& diagnosis);

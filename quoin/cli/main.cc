@@ -4,6 +4,7 @@
 #include <cmath>
 #include <csignal>
 #include <iostream>
+#include <map>
 
 #include "quoin/base/error.h"
 #include "quoin/cli/commands.h"
@@ -61,23 +62,35 @@ int run(const std::string& command, const Options& options) {
   action.sa_handler = &cancel_running;
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
-  int code = 0;
-  if (command == "csg")
-    code = run_csg(options, context);
-  else if (command == "info")
-    code = run_info(options, context);
-  else if (command == "check")
-    code = run_check(options, context);
-  else if (command == "repair")
-    code = run_repair(options, context);
-  else if (command == "convert")
-    code = run_convert(options, context);
-  else if (command == "view")
-    code = run_view(options, context);
-  else
-    code = run_boolean(command, options, context);
+  using Run = int (*)(const Options&, const Context&);
+  static const std::map<std::string, Run> runs{
+      {"csg", run_csg},           {"info", run_info},       {"check", run_check},
+      {"repair", run_repair},     {"convert", run_convert}, {"view", run_view},
+      {"classify", run_classify}, {"section", run_section}, {"interfere", run_interfere}};
+  const auto found = runs.find(command);
+  const int code = found == runs.end() ? run_boolean(command, options, context) : found->second(options, context);
   running = nullptr;
   return code;
+}
+
+void add_queries(CLI::App& app, Options& options) {
+  CLI::App* classify = app.add_subcommand("classify", "where points and lines lie: in, out, on a face, edge or vertex");
+  add_common(*classify, options, false);
+  classify->add_option("file", options.inputs, "a mesh or .qsolid")->required()->expected(1);
+  classify->add_option("--point", options.points, "x,y,z (may be repeated)");
+  classify->add_option("--points", options.points_file, "file with a point per line; '-' for standard input");
+  classify->add_option("--line", options.lines, "x,y,z,dx,dy,dz: a point of it and its direction (may be repeated)");
+  CLI::App* section = app.add_subcommand("section", "what a plane cuts out of a solid, exactly");
+  add_common(*section, options, false);
+  section->add_option("file", options.inputs, "a mesh or .qsolid")->required()->expected(1);
+  section
+      ->add_option("--plane", options.plane,
+                   "a,b,c,d: the points with a x + b y + c z = d; seen from where (a,b,c) points")
+      ->required();
+  section->add_option("-o,--output", options.outputs, "SVG drawing to write; '-' for standard output; may be repeated");
+  CLI::App* interfere = app.add_subcommand("interfere", "whether solids overlap, touch or stay apart, pair by pair");
+  add_common(*interfere, options, false);
+  interfere->add_option("files", options.inputs, "two or more meshes")->required()->expected(2, 1 << 20);
 }
 
 void add_commands(CLI::App& app, Options& options) {
@@ -114,6 +127,7 @@ void add_commands(CLI::App& app, Options& options) {
       ->add_option("file", options.inputs)
       ->required()
       ->expected(1);
+  add_queries(app, options);
 }
 
 int main_with_exceptions(int argc, char** argv) {

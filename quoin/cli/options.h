@@ -13,6 +13,10 @@ struct Options {
   std::vector<std::string> inputs;   ///< files, or "-" for standard input
   std::vector<std::string> outputs;  ///< files with a known ending, "-" for OFF on standard output
   std::string expression;            ///< of `csg`
+  std::vector<std::string> points;   ///< of `classify`: "x,y,z"
+  std::vector<std::string> lines;    ///< of `classify`: "x,y,z,dx,dy,dz"
+  std::string points_file;           ///< of `classify`: a point per line, "-" for standard input
+  std::string plane;                 ///< of `section`: "a,b,c,d"
   bool json = false;
   bool quiet = false;
   bool verbose = false;

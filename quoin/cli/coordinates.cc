@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quoin/cli/coordinates.h"
+
+#include <charconv>
+#include <cmath>
+
+#include "quoin/base/error.h"
+
+namespace quoin::cli {
+
+namespace {
+
+Rational parse_number(std::string_view word, const std::string& what) {
+  if (word.find('/') != std::string_view::npos) return Rational::parse(word);
+  double value = 0;
+  const std::string_view digits = word.starts_with('+') ? word.substr(1) : word;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error != std::errc{} || end != digits.data() + digits.size() || !std::isfinite(value))
+    throw InputError(what + ": '" + std::string(word) + "' is not a finite number");
+  return {value};
+}
+
+}  // namespace
+
+std::vector<Rational> parse_coordinates(std::string_view text, std::size_t count, const std::string& what) {
+  constexpr std::string_view separators = ", \t\r";
+  std::vector<Rational> numbers;
+  for (std::size_t at = text.find_first_not_of(separators); at != std::string_view::npos;) {
+    const std::size_t end = std::min(text.find_first_of(separators, at), text.size());
+    numbers.push_back(parse_number(text.substr(at, end - at), what));
+    at = text.find_first_not_of(separators, end);
+  }
+  if (numbers.size() != count) {
+    throw InputError(what + ": '" + std::string(text) + "' has " + std::to_string(numbers.size()) +
+                     " numbers and not " + std::to_string(count));
+  }
+  return numbers;
+}
+
+}  // namespace quoin::cli

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "quoin/number/rational.h"
+
+namespace quoin::cli {
+
+/// Numbers separated by commas or blanks: decimals, which stand for the nearest doubles as in mesh files, or fractions
+/// p/q, exact. @throws InputError that names `what` and the text, when there are not `count` finite numbers
+std::vector<Rational> parse_coordinates(std::string_view text, std::size_t count, const std::string& what);
+
+}  // namespace quoin::cli
