@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "quoin/solid/overlay/cells.h"
 
-#include "quoin/base/disjoint_sets.h"
+#include <vector>
 
-#include <algorithm>
+#include "quoin/base/disjoint_sets.h"
+#include "quoin/base/error.h"
 
 namespace quoin::overlay {
 
@@ -23,7 +24,6 @@ class CellBuilder {
       if (!fan.is_plain) join_cells(fans_.sides_of(fan), cells);
     }
     number_cells(cells);
-    find_walls();
     return std::move(complex_);
   }
 
@@ -58,7 +58,7 @@ class CellBuilder {
   void number_patches() {
     const auto count = static_cast<std::uint32_t>(sheets_.count());
     complex_.patch_of.resize(count);
-    std::uint32_t leaf = 0;
+    std::vector<Winding> across;
     for (std::uint32_t s = 0; s < count; ++s) {
       if (s % 65536 == 0) context_.poll();
       const std::uint32_t root = patch_sets_.find(s);
@@ -70,13 +70,11 @@ class CellBuilder {
         complex_.patch_of[s] = none;
         continue;
       }
-      if (s < sheets_.tile_count()) {
-        while (s >= sheets_.scene->first_tile[leaf + 1]) ++leaf;
-      } else {
-        leaf = sheets_.leaf(s);
-      }
       complex_.patch_of[s] = static_cast<std::uint32_t>(complex_.patches.size());
-      complex_.patches.push_back({leaf, s, 0, 0, complex_.patch_of[s], false});
+      complex_.patches.push_back({s, 0, 0});
+      windings_across(sheets_, s, across);
+      complex_.windings.insert(complex_.windings.end(), across.begin(), across.end());
+      complex_.patch_first_winding.push_back(static_cast<std::uint32_t>(complex_.windings.size()));
     }
   }
 
@@ -89,14 +87,9 @@ class CellBuilder {
     for (std::size_t i = 0; i < sides.size(); ++i) {
       const Side& here = sides[i];
       const Side& after = sides[i + 1 == sides.size() ? 0 : i + 1];
-      if (here.rank == after.rank && i + 1 != sides.size()) {
-        cells.unite(slot(here, true), slot(after, true));
-        cells.unite(slot(here, false), slot(after, false));
-        coincident_.push_back(
-            {complex_.patch_of[here.sheet], complex_.patch_of[after.sheet], here.forward != after.forward});
-      } else {
-        cells.unite(slot(here, true), slot(after, false));
-      }
+      if (here.rank == after.rank && i + 1 != sides.size())
+        throw InternalError("two regions of the overlay lie on one another");
+      cells.unite(slot(here, true), slot(after, false));
     }
   }
 
@@ -110,55 +103,11 @@ class CellBuilder {
     }
   }
 
-  struct Coincidence {
-    std::uint32_t a;
-    std::uint32_t b;
-    bool is_reversed;
-  };
-
-  // Patches that cover the same points, with their orientation relative to the smallest of them.
-  void find_walls() {
-    if (coincident_.empty()) return;
-    DisjointSets walls(complex_.patches.size());
-    for (const Coincidence& c : coincident_) walls.unite(c.a, c.b);
-    std::sort(coincident_.begin(), coincident_.end(), [](const Coincidence& x, const Coincidence& y) {
-      return x.a != y.a ? x.a < y.a : x.b != y.b ? x.b < y.b : x.is_reversed < y.is_reversed;
-    });
-    coincident_.erase(std::unique(coincident_.begin(), coincident_.end(),
-                                  [](const Coincidence& x, const Coincidence& y) { return x.a == y.a && x.b == y.b; }),
-                      coincident_.end());
-    std::vector<std::vector<std::pair<std::uint32_t, bool>>> neighbours(complex_.patches.size());
-    for (const Coincidence& c : coincident_) {
-      neighbours[c.a].push_back({c.b, c.is_reversed});
-      neighbours[c.b].push_back({c.a, c.is_reversed});
-    }
-    std::vector<bool> seen(complex_.patches.size(), false);
-    std::vector<std::uint32_t> stack;
-    for (const Coincidence& c : coincident_) {
-      const std::uint32_t root = walls.find(c.a);
-      if (seen[root]) continue;
-      seen[root] = true;
-      stack.assign(1, root);
-      while (!stack.empty()) {
-        const std::uint32_t p = stack.back();
-        stack.pop_back();
-        for (const auto& [q, is_reversed] : neighbours[p]) {
-          if (seen[q]) continue;
-          seen[q] = true;
-          complex_.patches[q].wall = root;
-          complex_.patches[q].is_reversed = complex_.patches[p].is_reversed != is_reversed;
-          stack.push_back(q);
-        }
-      }
-    }
-  }
-
   const Sheets& sheets_;
   const Fans& fans_;
   const Context& context_;
   DisjointSets patch_sets_;
   CellComplex complex_;
-  std::vector<Coincidence> coincident_;
 };
 
 }  // namespace

@@ -157,8 +157,8 @@ class PairOfFacets {
     const PointRef end = meet(at_end == Sign::negative ? between(span_s_) : span_s_.last,
                               at_end == Sign::positive ? between(span_t_) : span_t_.last);
     if (span_s_.along_edge || span_t_.along_edge) out_.adjoining.push_back(pair_);
-    if (!span_s_.along_edge) out_.traces.push_back({pair_.a, start, end, pair_.b, {}});
-    if (!span_t_.along_edge) out_.traces.push_back({pair_.b, start, end, pair_.a, {}});
+    if (!span_s_.along_edge) out_.traces.push_back({pair_.a, start, end, pair_.b});
+    if (!span_t_.along_edge) out_.traces.push_back({pair_.b, start, end, pair_.a});
   }
 
   Edge edge_of(const Corners& facet, Place place) const {
@@ -258,7 +258,8 @@ bool have_equal_corners(const Constructions& table, const Corners& a, const Corn
 bool have_contacts(const Constructions& table, const Corners& a, const Corners& b) {
   Contacts contacts;
   if (!PairOfFacets(table, a, b, {0, 1}, contacts).run()) find_coplanar_contacts(table, a, b, {0, 1}, contacts);
-  return !contacts.edge_points.empty() || !contacts.facet_points.empty() || !contacts.traces.empty();
+  return !contacts.edge_points.empty() || !contacts.facet_points.empty() || !contacts.traces.empty() ||
+         !contacts.overlapping.empty();
 }
 
 }  // namespace quoin::overlay

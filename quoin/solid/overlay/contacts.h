@@ -52,13 +52,12 @@ struct FacetPoint {
   PointRef point;
 };
 
-/// What another facet leaves on a facet: cut by its plane, or, if both lie in one plane, by one of its edges.
+/// What another facet, not of its plane, leaves on a facet.
 struct Trace {
   std::uint32_t facet;
   PointRef from;
   PointRef to;
-  std::uint32_t cutter;  ///< facet whose plane cuts, or none
-  Edge edge;             ///< the edge that lies in the facet's plane where cutter is none
+  std::uint32_t cutter;  ///< facet whose plane cuts
 };
 
 /// Everything that pairs of facets have in common.
@@ -69,6 +68,7 @@ struct Contacts {
   std::vector<Trace> traces;
   std::vector<FacetPair>
       adjoining;  ///< pairs that share area, or a segment along an edge of one, and are not plain neighbours
+  std::vector<FacetPair> overlapping;  ///< pairs in one plane that share area
 };
 
 /// Appends what facets a and b have in common.

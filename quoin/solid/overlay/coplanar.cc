@@ -32,13 +32,10 @@ class CoplanarPair {
     s_in_t_ = sides(t_, s_);
     if (apart(s_in_t_)) return;
     out_.adjoining.push_back(pair_);
-    post_vertices(t_, t_in_s_, s_, pair_.a);
-    post_vertices(s_, s_in_t_, t_, pair_.b);
+    if (!touching(t_in_s_) && !touching(s_in_t_)) out_.overlapping.push_back(pair_);
+    post_vertices(t_, t_in_s_, s_);
+    post_vertices(s_, s_in_t_, t_);
     post_crossings();
-    for (std::size_t i = 0; i < 3; ++i) {
-      post_trace(pair_.a, t_, i, t_in_s_, s_, s_in_t_, false);
-      post_trace(pair_.b, s_, i, s_in_t_, t_, t_in_s_, true);
-    }
   }
 
  private:
@@ -63,6 +60,14 @@ class CoplanarPair {
     return false;
   }
 
+  // Triangles share no area exactly if the line through an edge of one has the other on its outer side.
+  static bool touching(const Sides& sides) {
+    for (const auto& edge : sides) {
+      if (edge[0] != Sign::positive && edge[1] != Sign::positive && edge[2] != Sign::positive) return true;
+    }
+    return false;
+  }
+
   static bool outside(const Sides& sides, std::size_t i) {
     return sides[0][i] == Sign::negative || sides[1][i] == Sign::negative || sides[2][i] == Sign::negative;
   }
@@ -80,12 +85,12 @@ class CoplanarPair {
     return zeros == 2 ? 4 : edge;
   }
 
-  void post_vertices(const Corners& corners, const Sides& sides, const Corners& facet, std::uint32_t facet_index) {
+  // Corners in the interior of a facet need no mention: the facets share area and are subdivided together.
+  void post_vertices(const Corners& corners, const Sides& sides, const Corners& facet) {
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t where = place(sides, i);
-      const PointRef ref = PointRef::point(corners[i]);
-      if (where == 3) out_.facet_points.push_back({facet_index, ref});
-      if (where < 3) out_.edge_points.push_back({edge_between(facet[where], facet[next(where)]), ref});
+      if (where < 3)
+        out_.edge_points.push_back({edge_between(facet[where], facet[next(where)]), PointRef::point(corners[i])});
     }
   }
 
@@ -98,37 +103,11 @@ class CoplanarPair {
         Edge e = edge_between(s_[j], s_[next(j)]);
         Edge f = edge_between(t_[i], t_[next(i)]);
         if (f < e) std::swap(e, f);
-        crossing_[j][i] = PointRef::contact(out_.keys.size());
+        const PointRef crossing = PointRef::contact(out_.keys.size());
         out_.keys.push_back({e.a, e.b, f.a, f.b});
-        out_.edge_points.push_back({e, crossing_[j][i]});
-        out_.edge_points.push_back({f, crossing_[j][i]});
+        out_.edge_points.push_back({e, crossing});
+        out_.edge_points.push_back({f, crossing});
       }
-    }
-  }
-
-  // The part of edge i of `cutting` inside the facet, unless it runs along the facet's boundary.
-  void post_trace(std::uint32_t facet_index, const Corners& cutting, std::size_t i, const Sides& cutting_in_facet,
-                  const Corners& facet, const Sides& facet_in_cutting, bool swapped) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      if (cutting_in_facet[j][i] == Sign::zero && cutting_in_facet[j][next(i)] == Sign::zero) return;
-    }
-    std::array<PointRef, 2> ends;
-    std::size_t count = 0;
-    const auto add = [&](PointRef ref) {
-      if ((count > 0 && ends[0] == ref) || (count > 1 && ends[1] == ref)) return;
-      if (count == 2) throw InternalError("an edge meets a triangle of its plane in three places");
-      ends[count++] = ref;
-    };
-    for (const std::size_t corner : {i, next(i)}) {
-      if (!outside(cutting_in_facet, corner)) add(PointRef::point(cutting[corner]));
-    }
-    for (std::size_t j = 0; j < 3; ++j) {
-      const PointRef crossing = swapped ? crossing_[i][j] : crossing_[j][i];
-      if (crossing.value != none) add(crossing);
-      if (place(facet_in_cutting, j) == i) add(PointRef::point(facet[j]));
-    }
-    if (count == 2) {
-      out_.traces.push_back({facet_index, ends[0], ends[1], none, edge_between(cutting[i], cutting[next(i)])});
     }
   }
 
@@ -140,7 +119,6 @@ class CoplanarPair {
   unsigned axis_ = 0;
   Sides t_in_s_{};
   Sides s_in_t_{};
-  std::array<std::array<PointRef, 3>, 3> crossing_{};  // edge of s, edge of t
 };
 
 }  // namespace

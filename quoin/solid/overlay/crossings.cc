@@ -93,6 +93,7 @@ class FacetCrossings {
   void meet_pair(std::size_t i, std::size_t j) {
     const Curve& a = curves_[i];
     const Curve& b = curves_[j];
+    if (a.is_along_edge() && b.is_along_edge()) return;  // where edges meet was found when their facets were
     const Sign b_from = side(b.from, a);
     const Sign b_to = side(b.to, a);
     if (b_from == Sign::zero && b_to == Sign::zero) {

@@ -58,8 +58,7 @@ class Extractor {
     for (const Patch& patch : complex_.patches) {
       const bool front = truth_.inside[patch.front] != 0;
       const bool back = truth_.inside[patch.back] != 0;
-      const bool stands_for_itself = patch.wall == fates_.size();
-      fates_.push_back(front == back || !stands_for_itself ? Fate::dropped : back ? Fate::kept : Fate::reversed);
+      fates_.push_back(front == back ? Fate::dropped : back ? Fate::kept : Fate::reversed);
     }
     for (const auto& leaf : scene_.leaves) has_colors_ = has_colors_ || !leaf->face_colors.empty();
   }
@@ -69,9 +68,28 @@ class Extractor {
     return patch == none ? Fate::dropped : fates_[patch];
   }
 
+  Origin origin_of_tile(std::uint32_t tile, std::uint32_t leaf) const {
+    return {leaf, scene_.leaves[leaf]->tile_face[tile - scene_.first_tile[leaf]]};
+  }
+
+  Origin origin_of_facet(std::uint32_t facet) const {
+    return origin_of_tile(scene_.facets[facet].tile, scene_.facets[facet].leaf);
+  }
+
+  // Of a region, that of the first facet that covers it: its colour is seen.
   Origin origin(std::uint32_t sheet) const {
-    const std::uint32_t leaf = sheets_.leaf(sheet);
-    return {leaf, scene_.leaves[leaf]->tile_face[sheets_.tile(sheet) - scene_.first_tile[leaf]]};
+    if (!sheets_.is_region(sheet)) return origin_of_tile(sheet, sheets_.leaf(sheet));
+    return origin_of_facet(sheets_.subdivision->covers_of(sheets_.region(sheet))[0]);
+  }
+
+  void add_origins(std::uint32_t sheet) {
+    if (!sheets_.is_region(sheet)) {
+      brep_.origins.push_back(origin(sheet));
+      return;
+    }
+    for (const std::uint32_t facet : sheets_.subdivision->covers_of(sheets_.region(sheet))) {
+      brep_.origins.push_back(origin_of_facet(facet));
+    }
   }
 
   Color color(const Origin& from) const {
@@ -233,7 +251,6 @@ class Extractor {
     const bool reversed = fate(sheet) == Fate::reversed;
     brep_.face_planes.push_back(reversed ? std::array{corners[0], corners[2], corners[1]} : corners);
     brep_.face_shells.push_back(shell_of(complex_.patch_of[sheet]));
-    brep_.origins.push_back(from);
     if (has_colors_) brep_.face_colors.push_back(color(from));
   }
 
@@ -246,6 +263,7 @@ class Extractor {
     while (tile >= scene_.first_tile[leaf_ + 1]) ++leaf_;  // tiles come in order
     const Origin from{leaf_, scene_.leaves[leaf_]->tile_face[tile - scene_.first_tile[leaf_]]};
     begin_face(tile, scene_.corners(tile, leaf_), from);
+    brep_.origins.push_back(from);
     const std::array<PointId, 3>& loop = brep_.face_planes.back();
     brep_.loop_vertices.insert(brep_.loop_vertices.end(), loop.begin(), loop.end());
     brep_.loop_begin.push_back(static_cast<std::uint32_t>(brep_.loop_vertices.size()));
@@ -255,9 +273,9 @@ class Extractor {
   void emit_face(std::uint32_t sheet, std::span<const DirectedEdge> boundary) {
     const std::array<PointId, 3> corners = sheets_.corners(sheet);
     begin_face(sheet, corners, origin(sheet));
+    add_origins(sheet);
     auto member = std::lower_bound(members_.begin(), members_.end(), std::pair(sheet, 0U));
-    for (; member != members_.end() && member->first == sheet; ++member)
-      brep_.origins.push_back(origin(member->second));
+    for (; member != members_.end() && member->first == sheet; ++member) add_origins(member->second);
     const auto first_origin = brep_.origins.begin() + brep_.face_first_origin.back();
     std::sort(first_origin, brep_.origins.end());
     brep_.origins.erase(std::unique(first_origin, brep_.origins.end()), brep_.origins.end());

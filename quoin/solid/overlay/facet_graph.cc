@@ -15,9 +15,11 @@ void FacetGraph::build(std::uint32_t facet, std::size_t first_line) {
   first_curve_ = static_cast<std::uint32_t>(curves_.data() - network_.curves.data());
   signs_.assign(3 + curves_.size(), Sign::zero);
   raw_.clear();
-  add_boundary();
+  if (!network_.clusters.is_shared[facet]) add_boundary();
   add_curves();
   number_nodes();
+  if (network_.clusters.is_shared[facet]) gather_units();
+  drop_duplicates();
   link();
 }
 
@@ -42,8 +44,12 @@ void FacetGraph::add_curves() {
     for (; crossing != crossings_.end() && crossing->curve == first_curve_ + i; ++crossing) {
       if (crossing->point != curves_[i].from && crossing->point != curves_[i].to) chain_.push_back(crossing->point);
     }
+    if (curves_[i].is_along_edge()) {
+      for (const PointOnEdge& p : network_.points_on(curves_[i].edge)) chain_.push_back(p.point);
+    }
     chain_.push_back(curves_[i].to);
     sort_chain();
+    chain_.erase(std::unique(chain_.begin(), chain_.end()), chain_.end());
     add_chain(3 + i);
   }
 }
@@ -84,12 +90,42 @@ void FacetGraph::number_nodes() {
   };
   pieces_.clear();
   for (const RawPiece& piece : raw_) pieces_.push_back({{number(piece.from), number(piece.to)}, piece.line});
-  // Overlapping curves leave the same piece several times; the one of the smallest line stays.
-  const auto ends = [](const Piece& p) { return std::minmax(p.end[0], p.end[1]); };
-  std::stable_sort(pieces_.begin(), pieces_.end(), [&](const Piece& p, const Piece& q) { return ends(p) < ends(q); });
-  pieces_.erase(
-      std::unique(pieces_.begin(), pieces_.end(), [&](const Piece& p, const Piece& q) { return ends(p) == ends(q); }),
-      pieces_.end());
+  std::stable_sort(pieces_.begin(), pieces_.end(),
+                   [&](const Piece& p, const Piece& q) { return ends_of(p) < ends_of(q); });
+}
+
+// Overlapping curves leave the same piece several times; the one of the smallest line stays.
+void FacetGraph::drop_duplicates() {
+  pieces_.erase(std::unique(pieces_.begin(), pieces_.end(),
+                            [&](const Piece& p, const Piece& q) { return ends_of(p) == ends_of(q); }),
+                pieces_.end());
+}
+
+// A unit that occurs twice at a piece has it on both sides of its boundary.
+void FacetGraph::gather_units() {
+  first_unit_.assign(1, 0);
+  units_.clear();
+  for (std::size_t i = 0; i < pieces_.size();) {
+    const auto begin = static_cast<std::ptrdiff_t>(units_.size());
+    std::size_t j = i;
+    for (; j < pieces_.size() && ends_of(pieces_[j]) == ends_of(pieces_[i]); ++j) add_units(pieces_[j].line);
+    std::sort(units_.begin() + begin, units_.end());
+    auto kept = units_.begin() + begin;
+    for (auto unit = kept; unit != units_.end();) {
+      const auto end = std::find_if(unit, units_.end(), [&](std::uint32_t u) { return u != *unit; });
+      if ((end - unit) % 2 != 0) *kept++ = *unit;
+      unit = end;
+    }
+    units_.erase(kept, units_.end());
+    first_unit_.push_back(static_cast<std::uint32_t>(units_.size()));
+    i = j;
+  }
+}
+
+void FacetGraph::add_units(std::uint32_t line) {
+  const Curve& curve = curves_[line - 3];
+  if (!curve.is_along_edge()) return;
+  for (const ClusterEdge& e : network_.clusters.edges_at(facet_, curve.edge)) units_.push_back(e.unit);
 }
 
 void FacetGraph::link() {

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "quoin/solid/overlay/crossings.h"
 
 namespace quoin::overlay {
 
-/// The planar graph of one facet: its boundary and the curves on it, cut at all their vertices.
+/// The planar graph of one facet, or of a cluster of facets: boundaries and curves, cut at all their vertices.
 ///
 /// Halfedges 2p and 2p + 1 are the two directions of piece p. `next` continues along the face on the left. Everything
 /// "counterclockwise" and "left" is seen from the positive side of the facet's plane. One object serves many facets in
@@ -19,6 +22,8 @@ class FacetGraph {
   FacetGraph(Scene& scene, const Network& network, std::span<const PointOnCurve> crossings)
       : scene_(scene), table_(scene.table), network_(network), crossings_(crossings) {}
 
+  /// Of a cluster, `facet` is the one that names it.
+  ///
   /// Line slots first_line ... first_line + 2 of the table are for the facet's edges; those of its curves are the curve
   /// indices.
   void build(std::uint32_t facet, std::size_t first_line);
@@ -31,6 +36,11 @@ class FacetGraph {
   std::uint32_t next(std::uint32_t halfedge) const { return next_[halfedge]; }
   /// Runs along the facet's boundary with the facet on its right.
   bool is_outside(std::uint32_t halfedge) const { return (halfedge & 1U) != 0 && pieces_[halfedge / 2].line < 3; }
+
+  /// The units of a cluster bounded by the piece, but for those it bounds on both sides.
+  std::span<const std::uint32_t> units_at(std::uint32_t piece) const {
+    return {units_.data() + first_unit_[piece], units_.data() + first_unit_[piece + 1]};
+  }
 
   std::span<const std::uint32_t> leaving(std::uint32_t n) const {
     return {leaving_.data() + first_leaving_[n], leaving_.data() + first_leaving_[n + 1]};
@@ -52,12 +62,18 @@ class FacetGraph {
     std::array<std::uint32_t, 2> end;
     std::uint32_t line;
   };
+  static std::pair<std::uint32_t, std::uint32_t> ends_of(const Piece& p) {
+    return {std::min(p.end[0], p.end[1]), std::max(p.end[0], p.end[1])};
+  }
 
   void add_boundary();
   void add_curves();
   void add_chain(std::uint32_t line);
   void sort_chain();
   void number_nodes();
+  void drop_duplicates();
+  void gather_units();
+  void add_units(std::uint32_t line);
   void link();
   void sort_around(std::uint32_t node);
   void sort_full_turn(std::span<std::uint32_t> halfedges);
@@ -85,6 +101,8 @@ class FacetGraph {
   std::vector<RawPiece> raw_;
   std::vector<PointId> nodes_;
   std::vector<Piece> pieces_;
+  std::vector<std::uint32_t> first_unit_;  // per piece; of clusters only
+  std::vector<std::uint32_t> units_;
   std::vector<Sign> signs_;  // per line: zero while its direction is not set
   std::vector<std::uint32_t> first_leaving_;
   std::vector<std::uint32_t> leaving_;

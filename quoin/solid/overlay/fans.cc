@@ -83,9 +83,12 @@ class FanBuilder {
     Side& a = fans_.sides[first];
     Side& b = fans_.sides[first + 1];
     if (a.forward == b.forward) return false;
-    const std::uint32_t leaf = sheets_.leaf(a.sheet);
-    if (leaf != sheets_.leaf(b.sheet)) return false;
-    if (scene_.leaves[leaf]->crosses_itself && is_involved(a) && is_involved(b) && plane(a) != plane(b)) return false;
+    windings_across(sheets_, a.sheet, across_a_);
+    windings_across(sheets_, b.sheet, across_b_);
+    if (across_a_ != across_b_) return false;
+    const bool crosses_itself = std::any_of(across_a_.begin(), across_a_.end(),
+                                            [&](const Winding& w) { return scene_.leaves[w.leaf]->crosses_itself; });
+    if (crosses_itself && is_involved(a) && is_involved(b) && plane(a) != plane(b)) return false;
     a.rank = 0;
     b.rank = 1;
     return true;
@@ -164,19 +167,11 @@ class FanBuilder {
   Scene& scene_;
   const Context& context_;
   Fans fans_;
+  std::vector<Winding> across_a_;
+  std::vector<Winding> across_b_;
 };
 
 }  // namespace
-
-bool in_one_plane(const Sheets& sheets, std::uint32_t a, std::uint32_t b) {
-  if (sheets.tile(a) == sheets.tile(b)) return true;
-  const std::array<PointId, 3> p = sheets.corners(a);
-  for (const PointId q : sheets.corners(b)) {
-    if (q == p[0] || q == p[1] || q == p[2]) continue;
-    if (sheets.scene->table.orientation(p[0], p[1], p[2], q) != Sign::zero) return false;
-  }
-  return true;
-}
 
 Fans make_fans(const Sheets& sheets, Scene& scene, const Context& context) {
   context.progress("order about edges", 0);

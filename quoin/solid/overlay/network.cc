@@ -32,11 +32,12 @@ std::size_t rank_in(const std::vector<T>& sorted, const T& value) {
 class NetworkBuilder {
  public:
   NetworkBuilder(Scene& scene, const Context& context)
-      : scene_(scene), context_(context), network_{{}, {}, {}, {}, {}, PointMerger(scene.table)} {}
+      : scene_(scene), context_(context), network_{{}, {}, {}, {}, {}, {}, PointMerger(scene.table)} {}
 
   Network run() {
     intersect_pairs();
     number_contacts();
+    cluster_facets();
     mark_facets();
     set_facet_planes();
     set_axis_planes();
@@ -70,6 +71,14 @@ class NetworkBuilder {
     context_.poll();
   }
 
+  void cluster_facets() {
+    std::vector<FacetPair> overlapping;
+    for (const Contacts& part : found_) {
+      overlapping.insert(overlapping.end(), part.overlapping.begin(), part.overlapping.end());
+    }
+    network_.clusters = make_clusters(scene_, overlapping);
+  }
+
   PointId id_of(std::size_t part, PointRef ref) const {
     return ref.is_contact() ? ids_[part][ref.contact_index()] : PointId{ref.value};
   }
@@ -77,7 +86,7 @@ class NetworkBuilder {
   // Facets with points on their boundary or inside are cut; with an edge that others may share, they are involved.
   void mark_facets() {
     std::vector<Edge> cut_edges;
-    network_.cut.assign(scene_.facets.size(), false);
+    network_.cut = network_.clusters.is_shared;
     network_.involved.assign(scene_.facets.size(), false);
     for (const Contacts& part : found_) {
       for (const EdgePoint& p : part.edge_points) cut_edges.push_back(p.edge);
@@ -105,9 +114,7 @@ class NetworkBuilder {
       if (key.d == none) needed[key.c] = true;
     }
     for (const Contacts& part : found_) {
-      for (const Trace& t : part.traces) {
-        if (t.cutter != none) needed[t.cutter] = true;
-      }
+      for (const Trace& t : part.traces) needed[t.cutter] = true;
     }
     Constructions& table = scene_.table;
     table.resize_planes(scene_.facets.size());
@@ -129,9 +136,7 @@ class NetworkBuilder {
     throw InternalError("two collinear edges were said to cross");
   }
 
-  AxisPlane plane_of_trace(const Trace& trace) const {
-    return {trace.edge, scene_.table.main_axis(PlaneId{trace.facet})};
-  }
+  AxisPlane plane_of_edge(const ClusterEdge& e) const { return {e.edge, scene_.table.main_axis(PlaneId{e.cluster})}; }
 
   PlaneId id_of(const AxisPlane& plane) const { return PlaneId{scene_.facets.size() + rank_in(axis_planes_, plane)}; }
 
@@ -139,11 +144,7 @@ class NetworkBuilder {
     for (const ContactKey& key : keys_) {
       if (key.d != none) axis_planes_.push_back(plane_through_second(key));
     }
-    for (const Contacts& part : found_) {
-      for (const Trace& t : part.traces) {
-        if (t.cutter == none) axis_planes_.push_back(plane_of_trace(t));
-      }
-    }
+    for (const ClusterEdge& e : network_.clusters.edges) axis_planes_.push_back(plane_of_edge(e));
     sort_unique(axis_planes_);
     Constructions& table = scene_.table;
     table.resize_planes(scene_.facets.size() + axis_planes_.size());
@@ -192,7 +193,7 @@ class NetworkBuilder {
         network_.edge_points.push_back({p.edge, canonical(id_of(part, p.point))});
       }
       for (const FacetPoint& p : found_[part].facet_points) {
-        network_.facet_points.push_back({p.facet, canonical(id_of(part, p.point))});
+        network_.facet_points.push_back({network_.clusters.of[p.facet], canonical(id_of(part, p.point))});
       }
     }
     sort_unique(network_.edge_points);
@@ -207,14 +208,16 @@ class NetworkBuilder {
         PointId to = canonical(id_of(part, t.to));
         if (from == to) continue;
         if (to < from) std::swap(from, to);
-        const bool along = t.cutter == none;
-        curves.push_back({t.facet, from, to, along ? id_of(plane_of_trace(t)) : PlaneId{t.cutter},
-                          along ? t.edge : Edge{none, none}});
+        curves.push_back({network_.clusters.of[t.facet], from, to, PlaneId{t.cutter}, Edge{none, none}});
       }
+    }
+    for (const ClusterEdge& e : network_.clusters.edges) {
+      curves.push_back({e.cluster, PointId{e.edge.a}, PointId{e.edge.b}, id_of(plane_of_edge(e)), e.edge});
     }
     const auto place = [](const Curve& c) { return std::tuple(c.facet, c.from, c.to); };
     std::sort(curves.begin(), curves.end(), [&](const Curve& x, const Curve& y) {
-      return std::tuple_cat(place(x), std::tuple(x.cut)) < std::tuple_cat(place(y), std::tuple(y.cut));
+      const auto rest = [](const Curve& c) { return std::tuple(!c.is_along_edge(), c.cut); };
+      return std::tuple_cat(place(x), rest(x)) < std::tuple_cat(place(y), rest(y));
     });
     curves.erase(
         std::unique(curves.begin(), curves.end(), [&](const Curve& x, const Curve& y) { return place(x) == place(y); }),

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "quoin/base/context.h"
-#include "quoin/solid/overlay/contacts.h"
+#include "quoin/solid/overlay/clusters.h"
 #include "quoin/solid/overlay/point_merger.h"
 #include "quoin/solid/overlay/scene.h"
 
@@ -46,7 +46,8 @@ struct Network {
   std::vector<Curve> curves;               ///< by facet; no two with the same facet and ends
   std::vector<bool> involved;              ///< per facet: its boundary takes part in the order of sides about edges
   std::vector<bool> cut;                   ///< per facet: has points or curves, so that it is subdivided
-  PointMerger merger;                      ///< holds all points so far
+  Clusters clusters;
+  PointMerger merger;  ///< holds all points so far
 
   std::span<const PointOnEdge> points_on(Edge edge) const;
   std::span<const PointInFacet> points_in(std::uint32_t facet) const;

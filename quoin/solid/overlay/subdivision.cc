@@ -2,9 +2,11 @@
 #include "quoin/solid/overlay/subdivision.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 #include "quoin/base/parallel.h"
+#include "quoin/solid/overlay/covers.h"
 #include "quoin/solid/overlay/facet_graph.h"
 
 namespace quoin::overlay {
@@ -14,21 +16,37 @@ namespace {
 // Traces the faces of one facet's graph and nests the parts that do not touch its boundary.
 class RegionTracer {
  public:
-  RegionTracer(FacetGraph& graph, const Constructions& table, Subdivision& out)
-      : graph_(graph), table_(table), out_(out) {}
+  RegionTracer(FacetGraph& graph, const Scene& scene, const Clusters& clusters, Subdivision& out)
+      : graph_(graph), scene_(scene), table_(scene.table), clusters_(clusters), out_(out) {}
 
   void run(std::uint32_t facet) {
+    const std::array<std::uint32_t, 1> itself{facet};
     trace_cycles();
     find_parts();
     if (part_count_ == 1) {
       for (const Cycle& cycle : cycles_) {
-        if (!cycle.is_outside) emit(facet, cycle, {});
+        if (!cycle.is_outside) emit(facet, itself, cycle, {});
       }
       return;
     }
     nest_parts();
     for (std::uint32_t c = 0; c < cycles_.size(); ++c) {
-      if (!cycles_[c].is_outside) emit(facet, cycles_[c], holes_of(c));
+      if (!cycles_[c].is_outside) emit(facet, itself, cycles_[c], holes_of(c));
+    }
+  }
+
+  // What no unit covers is not part of the cluster.
+  void run_cluster() {
+    trace_cycles();
+    find_parts();
+    nest_parts();
+    const Covers covers = find_covers_of_cycles();
+    for (std::uint32_t c = 0; c < cycles_.size(); ++c) {
+      if (cycles_[c].is_outside || covers.of(c).empty()) continue;
+      const std::size_t first_vertex = out_.loop_vertices.size();
+      const std::size_t first_loop = out_.loop_begin.size() - 1;
+      emit(facing(covers.of(c)), covers.of(c), cycles_[c], holes_of(c));
+      if (clusters_.is_reversed[out_.region_facet.back()]) reverse_loops(first_loop, first_vertex);
     }
   }
 
@@ -115,7 +133,7 @@ class RegionTracer {
     }
     hole_parents_.clear();
     for (std::uint32_t c = 0; c < cycles_.size(); ++c) {
-      if (cycles_[c].is_outside && cycles_[c].part != boundary_part)
+      if (cycles_[c].is_outside && cycles_[c].part != boundary_part && !around_[cycles_[c].part].empty())
         hole_parents_.push_back({innermost(cycles_[c].part), c});
     }
     std::sort(hole_parents_.begin(), hole_parents_.end());
@@ -164,10 +182,42 @@ class RegionTracer {
     return {first, last};
   }
 
-  void emit(std::uint32_t facet, const Cycle& cycle, std::span<const std::pair<std::uint32_t, std::uint32_t>> holes) {
+  std::uint32_t facing(std::span<const std::uint32_t> covers) {
+    windings_across(scene_, clusters_, covers, across_);
+    const bool reversed = !across_.empty() && across_[0].number < 0;
+    return *std::find_if(covers.begin(), covers.end(),
+                         [&](std::uint32_t f) { return across_.empty() || clusters_.is_reversed[f] == reversed; });
+  }
+
+  void reverse_loops(std::size_t first_loop, std::size_t first_vertex) {
+    auto begin = out_.loop_vertices.begin() + static_cast<std::ptrdiff_t>(first_vertex);
+    for (std::size_t l = first_loop; l + 1 < out_.loop_begin.size(); ++l) {
+      const auto end = out_.loop_vertices.begin() + out_.loop_begin[l + 1];
+      std::reverse(begin, end);
+      begin = end;
+    }
+  }
+
+  // A region is named by its outer cycle; one past the last is what lies outside of everything.
+  Covers find_covers_of_cycles() const {
+    const auto outside = static_cast<std::uint32_t>(cycles_.size());
+    std::vector<std::uint32_t> region(cycles_.size());
+    for (std::uint32_t c = 0; c < cycles_.size(); ++c) region[c] = cycles_[c].is_outside ? outside : c;
+    for (const auto& [parent, hole] : hole_parents_) region[hole] = parent;
+    std::vector<RegionNeighbours> neighbours;
+    for (std::uint32_t p = 0; p < graph_.piece_count(); ++p) {
+      neighbours.push_back({region[cycle_of_[2 * p]], region[cycle_of_[2 * p + 1]], graph_.units_at(p)});
+    }
+    return find_covers(outside + 1, outside, neighbours);
+  }
+
+  void emit(std::uint32_t facet, std::span<const std::uint32_t> covers, const Cycle& cycle,
+            std::span<const std::pair<std::uint32_t, std::uint32_t>> holes) {
     emit_loop(cycle);
     for (const auto& [parent, hole] : holes) emit_loop(cycles_[hole]);
     out_.region_facet.push_back(facet);
+    out_.covers.insert(out_.covers.end(), covers.begin(), covers.end());
+    out_.region_first_cover.push_back(static_cast<std::uint32_t>(out_.covers.size()));
     out_.region_first_loop.push_back(static_cast<std::uint32_t>(out_.loop_begin.size() - 1));
   }
 
@@ -181,8 +231,11 @@ class RegionTracer {
   }
 
   FacetGraph& graph_;
+  const Scene& scene_;
   const Constructions& table_;
+  const Clusters& clusters_;
   Subdivision& out_;
+  std::vector<Winding> across_;
   std::vector<Cycle> cycles_;
   std::vector<std::uint32_t> cycle_of_;
   std::vector<std::uint32_t> part_;
@@ -194,6 +247,11 @@ class RegionTracer {
 void append(Subdivision& all, const Subdivision& part) {
   const auto loops = static_cast<std::uint32_t>(all.loop_begin.size() - 1);
   const auto vertices = static_cast<std::uint32_t>(all.loop_vertices.size());
+  const auto covers = static_cast<std::uint32_t>(all.covers.size());
+  for (std::size_t i = 1; i < part.region_first_cover.size(); ++i) {
+    all.region_first_cover.push_back(part.region_first_cover[i] + covers);
+  }
+  all.covers.insert(all.covers.end(), part.covers.begin(), part.covers.end());
   all.region_facet.insert(all.region_facet.end(), part.region_facet.begin(), part.region_facet.end());
   for (std::size_t i = 1; i < part.region_first_loop.size(); ++i) {
     all.region_first_loop.push_back(part.region_first_loop[i] + loops);
@@ -209,17 +267,21 @@ Subdivision subdivide(Scene& scene, const Network& network, std::span<const Poin
   constexpr std::size_t grain = 64;
   std::vector<std::uint32_t> facets;
   for (std::uint32_t f = 0; f < scene.facets.size(); ++f) {
-    if (network.cut[f]) facets.push_back(f);
+    if (network.cut[f] && network.clusters.of[f] == f) facets.push_back(f);
   }
   scene.table.resize_lines(network.curves.size() + 3 * facets.size());
   context.progress("subdivision", 0);
   std::vector<Subdivision> parts(chunk_count(facets.size(), grain));
   for_each_chunk(context, facets.size(), grain, [&](const Chunk& chunk) {
     FacetGraph graph(scene, network, crossings);
-    RegionTracer tracer(graph, scene.table, parts[chunk.index]);
+    RegionTracer tracer(graph, scene, network.clusters, parts[chunk.index]);
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
       graph.build(facets[i], network.curves.size() + 3 * i);
-      tracer.run(facets[i]);
+      if (network.clusters.is_shared[facets[i]]) {
+        tracer.run_cluster();
+      } else {
+        tracer.run(facets[i]);
+      }
     }
   });
   Subdivision result;

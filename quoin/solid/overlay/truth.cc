@@ -76,7 +76,6 @@ class CellWalk {
   CellWalk(const CellComplex& complex, ExpressionState& state, std::vector<std::uint8_t>& inside)
       : complex_(complex), state_(state), inside_(inside), seen_(complex.cell_count, false) {
     link_cells();
-    link_coincident();
   }
 
   bool has_seen(std::uint32_t cell) const { return seen_[cell]; }
@@ -108,11 +107,10 @@ class CellWalk {
     std::uint32_t next;  // into walls_
   };
 
-  // The patches that stand for themselves, by the cells at them.
+  // The patches by the cells at them.
   void link_cells() {
     first_wall_.assign(complex_.cell_count + 1, 0);
     for (const Patch& p : complex_.patches) {
-      if (&p != &complex_.patches[p.wall]) continue;
       ++first_wall_[p.front + 1];
       ++first_wall_[p.back + 1];
     }
@@ -121,17 +119,9 @@ class CellWalk {
     std::vector<std::uint32_t> fill(first_wall_.begin(), first_wall_.end() - 1);
     for (std::uint32_t p = 0; p < complex_.patches.size(); ++p) {
       const Patch& patch = complex_.patches[p];
-      if (patch.wall != p) continue;
       walls_[fill[patch.front]++] = p;
       walls_[fill[patch.back]++] = p;
     }
-  }
-
-  void link_coincident() {
-    for (std::uint32_t p = 0; p < complex_.patches.size(); ++p) {
-      if (complex_.patches[p].wall != p) coincident_.push_back({complex_.patches[p].wall, p});
-    }
-    std::sort(coincident_.begin(), coincident_.end());
   }
 
   void enter(std::uint32_t cell, std::uint32_t wall) {
@@ -147,13 +137,7 @@ class CellWalk {
   }
 
   void cross(std::uint32_t wall, bool from_front) {
-    const int change = from_front ? 1 : -1;
-    state_.wind(complex_.patches[wall].leaf, change);
-    auto other = std::lower_bound(coincident_.begin(), coincident_.end(), std::pair(wall, 0U));
-    for (; other != coincident_.end() && other->first == wall; ++other) {
-      const Patch& patch = complex_.patches[other->second];
-      state_.wind(patch.leaf, patch.is_reversed ? -change : change);
-    }
+    for (const Winding& w : complex_.windings_across(wall)) state_.wind(w.leaf, from_front ? w.number : -w.number);
   }
 
   const CellComplex& complex_;
@@ -162,7 +146,6 @@ class CellWalk {
   std::vector<bool> seen_;
   std::vector<std::uint32_t> first_wall_;
   std::vector<std::uint32_t> walls_;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> coincident_;  // wall, patch
   std::vector<Step> path_;
 };
 

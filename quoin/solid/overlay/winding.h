@@ -9,12 +9,6 @@
 
 namespace quoin::overlay {
 
-/// How often a leaf winds about a place.
-struct Winding {
-  std::uint32_t leaf;
-  int number;
-};
-
 /// The leaves that wind about the points just before or just behind a sheet, those with number 0 left out.
 struct SheetWinding {
   bool in_front;  ///< it speaks of the side the sheet's normal points to
