@@ -58,6 +58,7 @@ struct Trace {
   PointRef from;
   PointRef to;
   std::uint32_t cutter;  ///< facet whose plane cuts
+  Edge edge;             ///< the cutter's edge along which the trace runs, or {none, none}
 };
 
 /// Everything that pairs of facets have in common.

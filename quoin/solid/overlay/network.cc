@@ -200,10 +200,17 @@ class NetworkBuilder {
     sort_unique(network_.facet_points);
   }
 
+  // A wall that stands on a cluster along an edge that the cluster has anyway.
+  bool is_edge_of_cluster(const Trace& t) const {
+    const Clusters& clusters = network_.clusters;
+    return t.edge.a != none && clusters.is_shared[t.facet] && !clusters.edges_at(clusters.of[t.facet], t.edge).empty();
+  }
+
   void collect_curves() {
     std::vector<Curve>& curves = network_.curves;
     for (std::size_t part = 0; part < found_.size(); ++part) {
       for (const Trace& t : found_[part].traces) {
+        if (is_edge_of_cluster(t)) continue;
         PointId from = canonical(id_of(part, t.from));
         PointId to = canonical(id_of(part, t.to));
         if (from == to) continue;
