@@ -194,31 +194,54 @@ class CrossingFinder {
     }
   }
 
+  // A vertex of other faces may touch the face in the very point; nearer to a corner of the face there is another one.
   void check_side(std::uint32_t face) {
     const unsigned axis = projection_axis(b_, face);
+    RationalPoint3 point = interior_point(b_, face);
+    const auto loop = b_.loop(b_.face_first_loop[face]);
+    for (int attempt = 0; attempt < 8; ++attempt) {
+      if (check_side_at(face, PlacedPoint(b_.points, point), axis)) return;
+      point = nearer_inside(face, point, loop[static_cast<std::size_t>(attempt) % loop.size()], axis);
+    }
+    say("another face lies on " + name(face));
+  }
+
+  // Halfway to a corner, or as often halved as it takes to be inside.
+  RationalPoint3 nearer_inside(std::uint32_t face, const RationalPoint3& point, PointId corner, unsigned axis) const {
+    Rational part(0.5);
+    const RationalPoint3 towards = b_.points.exact(corner) - point;
+    while (true) {
+      RationalPoint3 moved = point + towards * part;
+      if (place_in_face(b_, face, PlacedPoint(b_.points, moved), axis).kind == FacePlace::Kind::inside) return moved;
+      part *= Rational(0.5);
+    }
+  }
+
+  // False if another face holds the point.
+  bool check_side_at(std::uint32_t face, const PlacedPoint& point, unsigned axis) {
     const auto& plane = b_.face_planes[face];
     const Sign up = b_.points.turn(plane[0], plane[1], plane[2], axis);
-    const PlacedPoint point(b_.points, interior_point(b_, face));
+    const std::array<double, 2> at{point.rounded()[(axis + 1) % 3], point.rounded()[(axis + 2) % 3]};
     std::vector<std::uint32_t> near;
-    locator_.tree().tiles_on_line(axis, {point.rounded()[(axis + 1) % 3], point.rounded()[(axis + 2) % 3]},
-                                  {point.rounded()[(axis + 1) % 3], point.rounded()[(axis + 2) % 3]}, near);
+    locator_.tree().tiles_on_line(axis, at, at, near);
     std::size_t ahead = 0;   // faces in the direction of the outward normal
     std::size_t others = 0;  // of them, those of other shells
     for (const std::uint32_t f : near) {
-      if (f == face || !place_in_face(b_, f, point, axis).is_inside_when_moved) continue;
+      if (f == face) continue;
+      const Sign side = side_of_face(b_, f, point);
+      if (side == Sign::zero && place_in_face(b_, f, point, projection_axis(b_, f)).kind != FacePlace::Kind::outside) {
+        return false;
+      }
+      if (!place_in_face(b_, f, point, axis).is_inside_when_moved) continue;
       const auto& other = b_.face_planes[f];
       const Sign other_up = b_.points.turn(other[0], other[1], other[2], axis);
-      const Sign side = side_of_face(b_, f, point);
-      if (side == Sign::zero) {
-        if (face < f) say(name(face) + " and " + name(f) + " lie on one another");
-        return;
-      }
       if (other_up * side * up != Sign::negative) continue;
       ++ahead;
       if (b_.face_shells[f] != b_.face_shells[face]) ++others;
     }
     if ((ahead % 2 != 0) != b_.is_unbounded) say(name(face) + " has the solid on its outward side");
     around_[b_.face_shells[face]] = others % 2 != 0;
+    return true;
   }
 
   // A void lies inside an odd number of other shells, an outer shell inside an even number; the other way round in

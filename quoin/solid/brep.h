@@ -29,8 +29,9 @@ struct Shell {
 ///
 /// A vertex is a point of `points` that some loop names; other explicit points only span planes. Loops are closed
 /// chains of vertices with the face on their left seen from outside: outer loops counterclockwise, holes clockwise. A
-/// face may have several outer loops only by touching itself in vertices; a loop may pass a vertex twice. Every edge is
-/// used as often in one direction as in the other; more than once each is a nonmanifold edge.
+/// face may have several outer loops only by touching itself in vertices; a loop may pass a vertex twice, and an edge
+/// in both directions: a slit, where other faces touch this one along an edge (two vertices are a loop then). Every
+/// edge is used as often in one direction as in the other; more than once each is a nonmanifold edge.
 struct Brep {
   Constructions points{std::vector<Point3>{}};
   std::vector<std::array<PointId, 3>> face_planes;  ///< explicit points; outward normal (b - a) x (c - a)

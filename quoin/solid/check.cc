@@ -56,7 +56,7 @@ class BoundaryChecker {
     const RationalPoint3 normal = cross(b_.points.exact(plane[1]) - origin, b_.points.exact(plane[2]) - origin);
     for (std::uint32_t l = b_.face_first_loop[f]; l < b_.face_first_loop[f + 1]; ++l) {
       const auto loop = b_.loop(l);
-      if (loop.size() < 3)
+      if (loop.size() < 2)  // two are a slit: an edge of other faces that touches this one from one side
         say("face " + std::to_string(f) + " has a loop of " + std::to_string(loop.size()) + " vertices");
       for (std::size_t i = 0; i < loop.size(); ++i) {
         const RationalPoint3 p = b_.points.exact(loop[i]);

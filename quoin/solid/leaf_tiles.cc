@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "quoin/base/disjoint_sets.h"
 #include "quoin/base/error.h"
 #include "quoin/triangulation/polygon.h"
 
@@ -146,9 +147,35 @@ class TileMaker {
     std::uint32_t face;
   };
 
+  // A sliver with two corners in one place is an edge: its two vertices become one, for all faces.
+  void join_equal_corners() {
+    DisjointSets vertices(mesh_.vertices.size());
+    bool any = false;
+    for (const Sliver& sliver : slivers_) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t a = sliver.tile[k];
+        const std::uint32_t b = sliver.tile[(k + 1) % 3];
+        if (points_.rounded(PointId{a}) != points_.rounded(PointId{b})) continue;
+        vertices.unite(a, b);
+        any = true;
+      }
+    }
+    if (!any) return;
+    for (Tile& t : out_.tiles) {
+      for (std::uint32_t& v : t) v = vertices.find(v);
+    }
+    for (Sliver& sliver : slivers_) {
+      for (std::uint32_t& v : sliver.tile) v = vertices.find(v);
+    }
+    std::erase_if(slivers_, [](const Sliver& s) {
+      return s.tile[0] == s.tile[1] || s.tile[1] == s.tile[2] || s.tile[2] == s.tile[0];
+    });
+  }
+
   // A triangle a, b, c with b between a and c is dropped; the tile on the other side of its long edge is split at b
   // instead, so that edges stay matched. That tile may be a sliver too; each step uses one up.
   void heal_slivers() {
+    join_equal_corners();
     for (std::uint32_t t = 0; t < out_.tiles.size(); ++t) index_tile(t);
     for (std::size_t s = 0; s < slivers_.size(); ++s) sliver_alive_.push_back(true);
     for (std::uint32_t s = 0; s < slivers_.size(); ++s) index_sliver(s);

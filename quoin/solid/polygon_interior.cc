@@ -57,19 +57,22 @@ class PolygonInterior {
     return table_.compare(p, q, (axis_ + 2) % 3) == Sign::negative;
   }
 
-  // At the lexicographically smallest vertex of the outer loop: one of its passes turns left.
+  // At the lexicographically smallest vertex: one of the passes through it turns left.
   std::array<PointId, 3> convex_corner() const {
-    const std::span<const PointId> loop = loops_[0];
-    PointId smallest = loop[0];
-    for (const PointId p : loop) {
-      if (p != smallest && less(p, smallest)) smallest = p;
+    PointId smallest = loops_[0][0];
+    for (const std::span<const PointId> loop : loops_) {
+      for (const PointId p : loop) {
+        if (p != smallest && less(p, smallest)) smallest = p;
+      }
     }
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      if (loop[i] != smallest) continue;
-      const PointId before = loop[i == 0 ? loop.size() - 1 : i - 1];
-      const PointId after = loop[i + 1 == loop.size() ? 0 : i + 1];
-      if (left(table_.exact(before), table_.exact(smallest), table_.exact(after)).sign() == Sign::positive) {
-        return {before, smallest, after};
+    for (const std::span<const PointId> loop : loops_) {
+      for (std::size_t i = 0; i < loop.size(); ++i) {
+        if (loop[i] != smallest) continue;
+        const PointId before = loop[i == 0 ? loop.size() - 1 : i - 1];
+        const PointId after = loop[i + 1 == loop.size() ? 0 : i + 1];
+        if (left(table_.exact(before), table_.exact(smallest), table_.exact(after)).sign() == Sign::positive) {
+          return {before, smallest, after};
+        }
       }
     }
     throw InternalError("a polygon has no convex corner");

@@ -13,7 +13,8 @@ namespace {
 
 class ClusterBuilder {
  public:
-  explicit ClusterBuilder(const Scene& scene) : scene_(scene), units_(scene.facets.size()) {}
+  ClusterBuilder(const Scene& scene, std::span<const Edge> met_edges)
+      : scene_(scene), met_edges_(met_edges), units_(scene.facets.size()) {}
 
   Clusters run(std::span<const FacetPair> overlapping) {
     const std::size_t count = scene_.facets.size();
@@ -66,14 +67,16 @@ class ClusterBuilder {
     for (const std::uint32_t f : members_) {
       const Corners& corners = scene_.facets[f].corners;
       for (std::uint32_t k = 0; k < 3; ++k) {
-        if (joined(f, k) != none) continue;
-        result_.edges.push_back({result_.of[f], edge_between(corners[k], corners[(k + 1) % 3]), units_.find(f)});
+        const Edge edge = edge_between(corners[k], corners[(k + 1) % 3]);
+        if (joined(f, k) != none && !std::binary_search(met_edges_.begin(), met_edges_.end(), edge)) continue;
+        result_.edges.push_back({result_.of[f], edge, units_.find(f)});
       }
     }
     std::sort(result_.edges.begin(), result_.edges.end());
   }
 
   const Scene& scene_;
+  std::span<const Edge> met_edges_;
   Clusters result_;
   DisjointSets units_;
   std::vector<std::uint32_t> members_;
@@ -107,8 +110,8 @@ void windings_across(const Scene& scene, const Clusters& clusters, std::span<con
   out.erase(kept, out.end());
 }
 
-Clusters make_clusters(const Scene& scene, std::span<const FacetPair> overlapping) {
-  return ClusterBuilder(scene).run(overlapping);
+Clusters make_clusters(const Scene& scene, std::span<const FacetPair> overlapping, std::span<const Edge> met_edges) {
+  return ClusterBuilder(scene, met_edges).run(overlapping);
 }
 
 }  // namespace quoin::overlay

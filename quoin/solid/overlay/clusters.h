@@ -25,7 +25,8 @@ struct ClusterEdge {
 };
 
 /// Facets of one plane that share area, directly or through others, are subdivided together: a cluster, named by its
-/// smallest facet. Neighbours in a cluster that stem from one mesh face are one unit, without the edge between them.
+/// smallest facet. Neighbours in a cluster that stem from one mesh face are one unit, without the edge between them
+/// unless a facet of another plane runs along it.
 struct Clusters {
   std::vector<std::uint32_t> of;   ///< per facet; itself where it shares no area
   std::vector<bool> is_shared;     ///< per facet: its cluster has others
@@ -41,7 +42,8 @@ struct Clusters {
 void windings_across(const Scene& scene, const Clusters& clusters, std::span<const std::uint32_t> covers,
                      std::vector<Winding>& out);
 
-/// From all pairs that share area, in any order. O(n + p log p) for n facets and p pairs.
-Clusters make_clusters(const Scene& scene, std::span<const FacetPair> overlapping);
+/// From all pairs that share area, in any order, and the sorted edges along which facets of other planes run. O(n + p
+/// log p) for n facets and p pairs.
+Clusters make_clusters(const Scene& scene, std::span<const FacetPair> overlapping, std::span<const Edge> met_edges);
 
 }  // namespace quoin::overlay

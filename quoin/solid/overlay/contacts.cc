@@ -157,6 +157,8 @@ class PairOfFacets {
     const PointRef end = meet(at_end == Sign::negative ? between(span_s_) : span_s_.last,
                               at_end == Sign::positive ? between(span_t_) : span_t_.last);
     if (span_s_.along_edge || span_t_.along_edge) out_.adjoining.push_back(pair_);
+    if (span_s_.along_edge) out_.met_edges.push_back(edge_along(s_, span_s_));
+    if (span_t_.along_edge) out_.met_edges.push_back(edge_along(t_, span_t_));
     if (!span_s_.along_edge) out_.traces.push_back({pair_.a, start, end, pair_.b, edge_along(t_, span_t_)});
     if (!span_t_.along_edge) out_.traces.push_back({pair_.b, start, end, pair_.a, edge_along(s_, span_s_)});
   }

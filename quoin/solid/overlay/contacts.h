@@ -69,6 +69,7 @@ struct Contacts {
   std::vector<Trace> traces;
   std::vector<FacetPair>
       adjoining;  ///< pairs that share area, or a segment along an edge of one, and are not plain neighbours
+  std::vector<Edge> met_edges;         ///< edges of facets along which a facet of another plane runs
   std::vector<FacetPair> overlapping;  ///< pairs in one plane that share area
 };
 

@@ -76,7 +76,14 @@ class NetworkBuilder {
     for (const Contacts& part : found_) {
       overlapping.insert(overlapping.end(), part.overlapping.begin(), part.overlapping.end());
     }
-    network_.clusters = make_clusters(scene_, overlapping);
+    std::vector<Edge> met_edges;
+    if (!overlapping.empty()) {
+      for (const Contacts& part : found_) {
+        met_edges.insert(met_edges.end(), part.met_edges.begin(), part.met_edges.end());
+      }
+      sort_unique(met_edges);
+    }
+    network_.clusters = make_clusters(scene_, overlapping, met_edges);
   }
 
   PointId id_of(std::size_t part, PointRef ref) const {
@@ -175,6 +182,14 @@ class NetworkBuilder {
     for (std::size_t f = 0; f < scene_.facets.size(); ++f) {
       if (!network_.involved[f]) continue;
       for (const PointId p : scene_.facets[f].corners) corners.push_back(p.value);
+    }
+    // Vertices that only touch an edge or a facet: their own facets may have no part in this.
+    const auto add = [&](PointRef ref) {
+      if (!ref.is_contact()) corners.push_back(ref.value);
+    };
+    for (const Contacts& part : found_) {
+      for (const EdgePoint& p : part.edge_points) add(p.point);
+      for (const FacetPoint& p : part.facet_points) add(p.point);
     }
     sort_unique(corners);
     for (const std::uint32_t p : corners) network_.merger.insert(PointId{p});

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Readers return a mesh that can be written and read again, or refuse with an InputError; nothing else.
+#include <cstdio>
+#include <cstdlib>
+#include <sstream>
+#include <string>
+
+#include "fuzz/promise.h"
+#include "fuzz/targets.h"
+#include "quoin/base/error.h"
+#include "quoin/io/exact_text.h"
+#include "quoin/io/mesh_file.h"
+#include "quoin/solid/check.h"
+#include "quoin/solid/leaf.h"
+
+namespace quoin::fuzz {
+
+namespace {
+
+std::string_view text_of(std::span<const std::uint8_t> bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+void read(std::span<const std::uint8_t> bytes, const char* name) {
+  const Context context({.threads = 1});
+  try {
+    const MeshFile file = read_mesh(text_of(bytes), name, {}, context);
+    for (const std::uint32_t corner : file.mesh.corners) {
+      require(corner < file.mesh.vertices.size(), "a face names a vertex that is there");
+    }
+    std::ostringstream out;
+    write_mesh(out, MeshFormat::off, file.mesh, context);
+    const MeshFile again = read_mesh(out.str(), "again.off", {.weld = false, .weld_tolerance = {}}, context);
+    require(again.mesh.corners == file.mesh.corners, "faces survive writing and reading");
+    require(again.mesh.vertices == file.mesh.vertices, "vertices survive writing and reading");
+    if (file.mesh.face_count() < 200) (void)make_leaf(file.mesh, {}, context);
+  } catch (const InputError&) {
+  }
+}
+
+}  // namespace
+
+void read_off(std::span<const std::uint8_t> bytes) {
+  read(bytes, "input.off");
+}
+void read_obj(std::span<const std::uint8_t> bytes) {
+  read(bytes, "input.obj");
+}
+void read_stl(std::span<const std::uint8_t> bytes) {
+  read(bytes, "input.stl");
+}
+void read_ply(std::span<const std::uint8_t> bytes) {
+  read(bytes, "input.ply");
+}
+
+void read_exact(std::span<const std::uint8_t> bytes) {
+  const Context context({.threads = 1});
+  try {
+    const Brep boundary = read_exact_text(text_of(bytes), "input.qsolid");
+    std::ostringstream first;
+    write_exact_text(first, boundary);
+    std::ostringstream second;
+    write_exact_text(second, read_exact_text(first.str(), "again.qsolid"));
+    require(first.str() == second.str(), "exact text is the same after another round");
+    if (boundary.face_count() < 50) (void)check_boundary(boundary, 10, context);
+  } catch (const InputError&) {
+  }
+}
+
+}  // namespace quoin::fuzz

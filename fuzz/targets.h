@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace quoin::fuzz {
+
+/// A target takes any bytes and returns; a promise that does not hold ends the program (std::abort) and says which.
+using Target = void (*)(std::span<const std::uint8_t> bytes);
+
+struct NamedTarget {
+  std::string_view name;
+  Target run;
+};
+
+void read_off(std::span<const std::uint8_t> bytes);
+void read_obj(std::span<const std::uint8_t> bytes);
+void read_stl(std::span<const std::uint8_t> bytes);
+void read_ply(std::span<const std::uint8_t> bytes);
+void read_exact(std::span<const std::uint8_t> bytes);
+void predicates(std::span<const std::uint8_t> bytes);
+void booleans(std::span<const std::uint8_t> bytes);
+
+inline constexpr NamedTarget targets[] = {
+    {"read_off", read_off},     {"read_obj", read_obj},     {"read_stl", read_stl}, {"read_ply", read_ply},
+    {"read_exact", read_exact}, {"predicates", predicates}, {"booleans", booleans}};
+
+}  // namespace quoin::fuzz
