@@ -23,6 +23,11 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
   target_compile_options(quoin_warnings INTERFACE -Wno-restrict)
 endif()
 
+if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+  # Signs and masks are joined without branches on purpose.
+  target_compile_options(quoin_warnings INTERFACE -Wno-bitwise-instead-of-logical)
+endif()
+
 if(QUOIN_SANITIZE)
   target_compile_options(quoin_options INTERFACE
     -fsanitize=${QUOIN_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
