@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <random>
@@ -13,6 +14,7 @@
 #include "quoin/solid/check.h"
 #include "quoin/solid/exit.h"
 #include "quoin/solid/measure.h"
+#include "quoin/solid/query/section.h"
 #include "quoin/solid/shapes.h"
 #include "quoin/solid/topology_counts.h"
 
@@ -137,18 +139,31 @@ TEST(Solid, InscribedOctahedronAndTetrahedron) {
   expect_solid(minus(cube, tetrahedron), Rational(16) / Rational(3), 8, 18, 16, 16, 4);
 }
 
+// The cube [0, 3^level]^3 without all beams, as one expression.
+Solid menger_sponge(unsigned level) {
+  std::vector<Solid> beams;
+  for (const Mesh& beam : shapes::menger_beams(level, 0))
+    beams.push_back(Solid::of_leaf(make_leaf(beam, {}, one_thread).leaf));
+  const double side = std::pow(3, level);
+  return subtract(box({0, 0, 0}, {side, side, side}), beams, one_thread);
+}
+
+void expect_menger_sponge(const Solid& sponge, unsigned level) {
+  EXPECT_EQ(volume_of(sponge), Rational(std::pow(20, level)));
+  const double area = 2 * std::pow(20, level) + 4 * std::pow(8, level);
+  EXPECT_NEAR(surface_area(sponge.boundary(), one_thread), area, 1e-9 * area);
+}
+
 TEST(Solid, MengerSpongeByOneExpression) {
   for (unsigned level = 1; level <= 3; ++level) {
-    std::vector<Solid> beams;
-    for (const Mesh& beam : shapes::menger_beams(level, 0))
-      beams.push_back(Solid::of_leaf(make_leaf(beam, {}, one_thread).leaf));
-    const double side = std::pow(3, level);
-    const Solid sponge = subtract(box({0, 0, 0}, {side, side, side}), beams, one_thread);
-    EXPECT_EQ(volume_of(sponge), Rational(std::pow(20, level)));
+    const Solid sponge = menger_sponge(level);
+    expect_menger_sponge(sponge, level);
     if (level < 3) expect_valid(sponge);
-    const double area = 2 * std::pow(20, level) + 4 * std::pow(8, level);
-    EXPECT_NEAR(surface_area(sponge.boundary(), one_thread), area, 1e-9 * area);
   }
+}
+
+TEST(Solid, MengerSpongeOfLevelFour) {
+  expect_menger_sponge(menger_sponge(4), 4);
 }
 
 // volume(A u B) + volume(A n B) = volume(A) + volume(B), and A - B = A n not B, as rationals.
@@ -170,16 +185,62 @@ TEST(Solid, InclusionExclusionIsExact) {
   expect_inclusion_exclusion(torus, solid(shapes::pointing_along(shapes::torus(9, 7, 2, 0.7), shapes::Axis::x)));
 }
 
+// The caps of all cubes lie in two planes. The union is the section by any plane between them, two high; in one
+// expression or by halves, in any order.
 TEST(Solid, CubesTurnedAboutACommonAxis) {
-  std::vector<Solid> cubes;
-  for (int i = 0; i < 7; ++i) {
-    cubes.push_back(solid(shapes::rotated(shapes::box({-1, -1, -1}, {1, 1, 1}), shapes::Axis::z, 0.21 * i)));
+  for (const int count : {2, 3, 7, 11, 25, 50}) {
+    SCOPED_TRACE(count);
+    std::vector<Solid> cubes;
+    for (int i = 0; i < count; ++i) {
+      const Mesh cube = shapes::box({-1, -1, -1}, {1, 1, 1});
+      cubes.push_back(solid(shapes::rotated(cube, shapes::Axis::z, 1.5 * i / count)));
+    }
+    const Solid all = unite(cubes, one_thread);
+    expect_valid(all);
+    EXPECT_EQ(all.boundary().shells.size(), 1U);
+    EXPECT_EQ(volume_of(all), Rational(2) * area_vector(section(all.boundary(), {{0, 0, 1}, 0}, one_thread)).z);
+    const std::size_t half = cubes.size() / 2;
+    const Solid first = unite(std::span(cubes).first(half), one_thread);
+    const Solid second = unite(std::span(cubes).subspan(half), one_thread);
+    EXPECT_EQ(volume_of(unite_two(second, first)), volume_of(all));
+    EXPECT_EQ(volume_of(first) + volume_of(second) - volume_of(intersect_two(first, second)), volume_of(all));
+    const Triangulated triangles = triangulate_boundary(all.boundary(), {}, one_thread);
+    EXPECT_EQ(triangles.rounding, Rounding::certified);
   }
-  const Solid all = unite(cubes, one_thread);
+}
+
+// Two hundred boxes on a grid of twelve in one union, against a count of its cells.
+TEST(Solid, TwoHundredBoxesWithCoincidentPlanes) {
+  std::mt19937_64 random(17);
+  std::vector<Solid> boxes;
+  std::array<std::array<std::array<bool, 12>, 12>, 12> filled{};
+  while (boxes.size() < 200) {
+    std::array<std::size_t, 3> lo{};
+    std::array<std::size_t, 3> hi{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      lo[k] = random() % 11;
+      hi[k] = std::min<std::size_t>(12, lo[k] + 1 + random() % 3);
+    }
+    const auto corner = [](const auto& p) {
+      return Point3{static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
+    };
+    boxes.push_back(box(corner(lo), corner(hi)));
+    for (std::size_t x = lo[0]; x < hi[0]; ++x) {
+      for (std::size_t y = lo[1]; y < hi[1]; ++y) {
+        for (std::size_t z = lo[2]; z < hi[2]; ++z) filled[x][y][z] = true;
+      }
+    }
+  }
+  std::int64_t cells = 0;
+  for (const auto& layer : filled) {
+    for (const auto& row : layer) cells += std::count(row.begin(), row.end(), true);
+  }
+  const Solid all = unite(boxes, one_thread);
+  EXPECT_EQ(volume_of(all), Rational(cells));
   expect_valid(all);
-  EXPECT_EQ(all.boundary().shells.size(), 1U);
-  const Triangulated triangles = triangulate_boundary(all.boundary(), {}, one_thread);
-  EXPECT_EQ(triangles.rounding, Rounding::certified);
+  const Solid first = unite(std::span(boxes).first(100), one_thread);
+  const Solid second = unite(std::span(boxes).subspan(100), one_thread);
+  EXPECT_EQ(volume_of(first) + volume_of(second) - volume_of(intersect_two(first, second)), Rational(cells));
 }
 
 // Boxes on a small grid, so that most planes coincide: volume against a count of unit cells.
@@ -244,12 +305,12 @@ TEST(Solid, RandomBoxesAgainstCellCounts) {
 
 // A Boolean of Booleans is one overlay of the inputs: depth loses nothing.
 TEST(Solid, ChainOfOperations) {
-  Solid result = box({0, 0, 0}, {64, 1, 1});
-  for (int i = 0; i < 30; ++i) {
+  Solid result = box({0, 0, 0}, {200, 1, 1});
+  for (int i = 0; i < 100; ++i) {
     const Solid tool = box({2.0 * i, 0.25, -1}, {2.0 * i + 1, 0.75, 2});
     result = i % 2 == 0 ? minus(result, tool) : unite_two(result, tool);
   }
-  EXPECT_EQ(volume_of(result), Rational(64) - Rational(15) * Rational(0.5) + Rational(15));
+  EXPECT_EQ(volume_of(result), Rational(200) - Rational(50) * Rational(0.5) + Rational(50));
   expect_valid(result);
 }
 

@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: Apache-2.0
+# Completion of quoin(1) for bash.
+_quoin() {
+  local word="${COMP_WORDS[COMP_CWORD]}" previous="${COMP_WORDS[COMP_CWORD - 1]}"
+  local commands="union intersection difference xor csg info check repair convert view classify section interfere"
+  local common="--json --threads --timeout --seed --weld -q --quiet -v --verbose -h --help"
+  local makes="-o --output --accept-rounding"
+  COMPREPLY=()
+  if [[ $COMP_CWORD -eq 1 ]]; then
+    mapfile -t COMPREPLY < <(compgen -W "$commands --help --version" -- "$word")
+    return
+  fi
+  case "$previous" in
+    --threads | --timeout | --seed | --weld | --point | --line | --plane) return ;;
+  esac
+  if [[ $word == -* ]]; then
+    local options="$common"
+    case "${COMP_WORDS[1]}" in
+      union | intersection | difference | xor | csg | repair | convert | view) options+=" $makes" ;;
+      classify) options+=" --point --points --line" ;;
+      section) options+=" --plane -o --output" ;;
+    esac
+    mapfile -t COMPREPLY < <(compgen -W "$options" -- "$word")
+    return
+  fi
+  local prefix=""
+  if [[ ${COMP_WORDS[1]} == csg && $word == *=* ]]; then
+    prefix="${word%%=*}="
+    word="${word#*=}"
+  fi
+  mapfile -t COMPREPLY < <(compgen -f -P "$prefix" -- "$word")
+  compopt -o filenames 2> /dev/null || true
+}
+complete -F _quoin quoin
