@@ -3,12 +3,18 @@
 // Times one Boolean of OFF files from polygon arrays in memory to certified triangles in memory.
 //
 //   overlay_bench union|difference THREADS REPEATS FILE...
+//
+// With QUOIN_STAGES=1 in the environment the median processor time of each stage goes to stderr.
 
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
+#include <map>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "bench/peak_memory.h"
@@ -25,6 +31,42 @@ using Clock = std::chrono::steady_clock;
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
+
+/// Processor time of all threads, which other programs on the machine disturb less than wall time.
+double processor_seconds() {
+  std::timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// Processor time of each stage, from the progress reports; a stage lasts until the next one is reported.
+class StageClock {
+ public:
+  void enter(std::string_view stage) {
+    const double now = processor_seconds();
+    if (!current_.empty()) run_[current_] += now - since_;
+    current_ = stage;
+    since_ = now;
+  }
+  void end_run() {
+    enter("");
+    for (const auto& [stage, seconds] : run_) seconds_[stage].push_back(seconds);
+    run_.clear();
+  }
+  void print() {
+    for (auto& [stage, seconds] : seconds_) {
+      std::nth_element(seconds.begin(), seconds.begin() + static_cast<std::ptrdiff_t>(seconds.size() / 2),
+                       seconds.end());
+      std::fprintf(stderr, "%-20s %8.3f ms\n", stage.c_str(), 1e3 * seconds[seconds.size() / 2]);
+    }
+  }
+
+ private:
+  std::string current_;
+  double since_ = 0;
+  std::map<std::string, double> run_;
+  std::map<std::string, std::vector<double>> seconds_;
+};
 
 struct Timings {
   double door = 0;
@@ -43,6 +85,9 @@ int main(int argc, char** argv) {
   }
   ContextOptions options;
   options.threads = static_cast<unsigned>(std::atoi(argv[2]));
+  StageClock stages;
+  const bool wants_stages = std::getenv("QUOIN_STAGES") != nullptr;
+  if (wants_stages) options.progress = [&](std::string_view stage, double) { stages.enter(stage); };
   const Context context(options);
   std::vector<Mesh> meshes;
   for (int i = 4; i < argc; ++i) meshes.push_back(read_mesh(std::filesystem::path(argv[i]), {}, context).mesh);
@@ -67,11 +112,13 @@ int main(int argc, char** argv) {
     const Triangulated t = triangulate_boundary(result.boundary(), {}, context);
     timings.exit = seconds_since(start);
     runs.push_back(timings);
+    stages.end_run();
     rounding = t.rounding;
     triangles = t.triangles.size();
     if (repeat == 0) volume = rounded_volume(result.boundary(), context);
   }
   std::sort(runs.begin(), runs.end(), [](const Timings& a, const Timings& b) { return a.all() < b.all(); });
+  if (wants_stages) stages.print();
   const Timings& median = runs[runs.size() / 2];
   std::printf(
       "{\"seconds\": %.6f, \"door\": %.6f, \"overlay\": %.6f, \"exit\": %.6f, \"volume\": %.17g, \"triangles\": %zu, "

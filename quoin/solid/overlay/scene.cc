@@ -149,6 +149,11 @@ std::array<PointId, 3> Scene::corners(std::uint32_t tile, std::uint32_t leaf) co
   return result;
 }
 
+Color Scene::color(std::uint32_t leaf, std::uint32_t face) const {
+  const std::vector<Color>& colors = leaves[leaf]->face_colors;
+  return colors.empty() ? Color{200, 200, 200, 255} : colors[face];
+}
+
 Scene::Halfedge Scene::twin(std::uint32_t tile, std::uint32_t edge, std::uint32_t leaf) const {
   const std::uint32_t opposite = leaves[leaf]->twins[3 * (tile - first_tile[leaf]) + edge];
   if (opposite == Leaf::no_twin) return {none, 0};

@@ -49,6 +49,8 @@ struct Scene {
   std::uint32_t leaf_of_tile(std::uint32_t tile) const;
   /// Corners of any tile, with merged ids.
   std::array<PointId, 3> corners(std::uint32_t tile, std::uint32_t leaf) const;
+  /// Of a face of a leaf's mesh; grey where the leaf has no colours.
+  Color color(std::uint32_t leaf, std::uint32_t face) const;
   /// Tile and edge opposite to edge `k` of a tile; tile is none where there is no single opposite one.
   struct Halfedge {
     std::uint32_t tile;

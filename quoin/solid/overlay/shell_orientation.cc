@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "quoin/base/parallel.h"
+
 namespace quoin::overlay {
 
 namespace {
@@ -12,7 +14,22 @@ namespace {
 // A sum of cone volumes with a bound on its error.
 struct Sum {
   double value = 0;
-  double size = 0;  // of the absolute values of all products
+  double size = 0;   // of the absolute values of all products
+  double reach = 0;  // the largest coordinate
+  std::size_t triangles = 0;
+
+  void add(const Sum& other) {
+    value += other.value;
+    size += other.size;
+    reach = std::max(reach, other.reach);
+    triangles += other.triangles;
+  }
+};
+
+// Of neighbouring faces of one shell.
+struct PartialSum {
+  std::uint32_t shell;
+  Sum sum;
 };
 
 Point3 minus(const Point3& a, const Point3& b) {
@@ -30,7 +47,7 @@ void add_cone(Sum& sum, const Point3& a, const Point3& b, const Point3& c) {
 
 class ShellOrienter {
  public:
-  explicit ShellOrienter(Brep& brep) : brep_(brep), sums_(brep.shells.size()), reach_(brep.shells.size(), 0) {}
+  ShellOrienter(Brep& brep, const Context& context) : brep_(brep), context_(context), sums_(brep.shells.size()) {}
 
   void run() {
     if (brep_.shells.empty()) {
@@ -38,7 +55,7 @@ class ShellOrienter {
       return;
     }
     choose_origins();
-    for (std::uint32_t f = 0; f < brep_.face_count(); ++f) add_face(f);
+    sum_cones();
     brep_.component_count = brep_.is_unbounded ? 1 : 0;
     for (std::uint32_t s = 0; s < brep_.shells.size(); ++s) {
       brep_.shells[s].is_void = sign(s) == Sign::negative;
@@ -67,18 +84,34 @@ class ShellOrienter {
     }
   }
 
-  void add_face(std::uint32_t face) {
-    const std::uint32_t s = brep_.face_shells[face];
-    const Point3& origin = brep_.points.rounded(origins_[s]);
+  // Chunks do not depend on threads, nor does the order in which their sums are added.
+  void sum_cones() {
+    constexpr std::size_t grain = 8192;
+    std::vector<std::vector<PartialSum>> parts(chunk_count(brep_.face_count(), grain));
+    for_each_chunk(context_, brep_.face_count(), grain, [&](const Chunk& chunk) {
+      std::vector<PartialSum>& part = parts[chunk.index];
+      for (std::size_t f = chunk.begin; f < chunk.end; ++f) {
+        const std::uint32_t shell = brep_.face_shells[f];
+        if (part.empty() || part.back().shell != shell) part.push_back({shell, {}});
+        add_face(static_cast<std::uint32_t>(f), part.back().sum);
+      }
+    });
+    for (const auto& part : parts) {
+      for (const PartialSum& partial : part) sums_[partial.shell].add(partial.sum);
+    }
+  }
+
+  void add_face(std::uint32_t face, Sum& sum) const {
+    const Point3& origin = brep_.points.rounded(origins_[brep_.face_shells[face]]);
     for_each_triangle(face, [&](PointId a, PointId b, PointId c) {
       const Point3& p = brep_.points.rounded(a);
       const Point3& q = brep_.points.rounded(b);
       const Point3& r = brep_.points.rounded(c);
-      add_cone(sums_[s], minus(p, origin), minus(q, origin), minus(r, origin));
-      for (const Point3* v : {&p, &q, &r, &origin}) {
-        reach_[s] = std::max({reach_[s], std::fabs(v->x), std::fabs(v->y), std::fabs(v->z)});
+      add_cone(sum, minus(p, origin), minus(q, origin), minus(r, origin));
+      for (const Point3* v : {&p, &q, &r}) {
+        sum.reach = std::max({sum.reach, std::fabs(v->x), std::fabs(v->y), std::fabs(v->z)});
       }
-      ++triangles_;
+      ++sum.triangles;
     });
   }
 
@@ -86,8 +119,9 @@ class ShellOrienter {
   // three is then off by 3 * 2^-51 M * 4 M^2 < 2^-47 M^3 and the sum of 6 n of them, with its own roundings, by less
   // than n 2^-44 M^3 + n 2^-49 size.
   Sign sign(std::uint32_t s) const {
-    const double reach = reach_[s];
-    const double n = static_cast<double>(triangles_);
+    const Point3& o = brep_.points.rounded(origins_[s]);
+    const double reach = std::max({sums_[s].reach, std::fabs(o.x), std::fabs(o.y), std::fabs(o.z)});
+    const double n = static_cast<double>(sums_[s].triangles);
     const double bound = n * (0x1p-44 * reach * reach * reach + 0x1p-49 * sums_[s].size);
     const bool in_range = reach > 1e-90 && reach < 1e90;
     if (in_range && std::fabs(sums_[s].value) > bound) return sign_of(sums_[s].value);
@@ -115,16 +149,15 @@ class ShellOrienter {
   }
 
   Brep& brep_;
+  const Context& context_;
   std::vector<PointId> origins_;
   std::vector<Sum> sums_;
-  std::vector<double> reach_;
-  std::size_t triangles_ = 0;
 };
 
 }  // namespace
 
-void orient_shells(Brep& brep) {
-  ShellOrienter(brep).run();
+void orient_shells(Brep& brep, const Context& context) {
+  ShellOrienter(brep, context).run();
 }
 
 }  // namespace quoin::overlay
