@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "quoin/base/error.h"
+#include "quoin/kernel/constructed_filters.h"
 #include "quoin/kernel/constructions_exact.h"
 #include "quoin/kernel/constructions_grid.h"
 
@@ -140,6 +141,10 @@ void Constructions::set_point(PointId point, PointId p, PointId q, PlaneId plane
   points_[point.index()] = store_->visit([&](auto& table) { return table.set_point(point, p, q, plane); });
 }
 
+void Constructions::set_crossing(PointId point, PointId p, PointId q, PointId r, PointId s, unsigned axis) {
+  points_[point.index()] = store_->visit([&](auto& table) { return table.set_crossing(point, p, q, r, s, axis); });
+}
+
 void Constructions::set_point(PointId point, PlaneId p, PlaneId q, PlaneId r) {
   points_[point.index()] = store_->visit([&](auto& table) { return table.set_point(point, p, q, r); });
 }
@@ -150,6 +155,14 @@ void Constructions::set_point(PointId point, std::array<PointId, 3> corners, std
 
 RationalPoint3 Constructions::exact(PointId point) const {
   return store_->visit([&](const auto& table) { return table.exact(point); });
+}
+
+std::array<Integer, 4> Constructions::homogeneous(PointId point) const {
+  return store_->visit([&](const auto& table) { return table.homogeneous(point); });
+}
+
+std::array<Integer, 3> Constructions::direction(LineId line) const {
+  return store_->visit([&](const auto& table) { return table.direction(line); });
 }
 
 bool Constructions::is_exact(PointId point) const {
@@ -171,6 +184,7 @@ Sign Constructions::turn(PointId a, PointId b, PointId c, unsigned axis) const {
 }
 
 Sign Constructions::turn_any(PointId a, PointId b, PointId c, unsigned axis) const {
+  if (!is_explicit(a) || !is_explicit(b)) return turn_beyond_explicit(a, b, c, axis);
   const auto filtered = filter_kind_ == FilterKind::rounded ? filter::turn_rounded : filter::turn_rounded_last;
   const int sign = filtered(rounded(a), rounded(b), rounded(c), next_axis(axis), previous_axis(axis));
   return is_decided(sign) ? static_cast<Sign>(sign) : exact_turn_any(a, b, c, axis);

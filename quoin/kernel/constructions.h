@@ -13,6 +13,8 @@
 #include "quoin/kernel/constructions_filters.h"
 #include "quoin/kernel/point.h"
 #include "quoin/kernel/rational_point.h"
+#include "quoin/kernel/tier.h"
+#include "quoin/number/integer.h"
 
 namespace quoin {
 
@@ -78,6 +80,10 @@ class Constructions {
 
   /// Where the line through explicit p, q meets the plane; not parallel.
   void set_point(PointId point, PointId p, PointId q, PlaneId plane);
+  /// Where the lines through explicit p, q and explicit r, s of one plane cross; not parallel. The axis is one along
+  /// which their plane's normal has a component (`main_axis`). Without a common plane: the point of the line through p,
+  /// q that lies on the other one projected along the axis.
+  void set_crossing(PointId point, PointId p, PointId q, PointId r, PointId s, unsigned axis);
   /// Where three planes meet; normals independent.
   void set_point(PointId point, PlaneId p, PlaneId q, PlaneId r);
   /// (wa a + wb b + wc c) / (wa + wb + wc) of explicit points; each weight below 2^20, their sum positive.
@@ -102,8 +108,28 @@ class Constructions {
   /// Sign of p[axis] - q[axis].
   Sign compare(PointId p, PointId q, unsigned axis) const;
   bool equal(PointId p, PointId q) const;
-  /// Turn of explicit a, explicit b, any c projected along the axis.
+  /// Turn a, b, c projected along the axis; fastest where a and b are explicit.
   Sign turn_any(PointId a, PointId b, PointId c, unsigned axis) const;
+
+  // Predicates on any points, bodies in constructed_predicates.cc: a filter on the rounded coordinates, then integers
+  // of any size (microseconds). Explicit points take the tiers of their own. Properties of each, tested: swapping two
+  // points negates the sign; it depends on the values of the points alone, not on how they are constructed; it is that
+  // of the predicate of the same name on explicit points.
+  /// Sign of det(b - a, c - a, d - a). Zero if and only if the points lie in one plane.
+  Sign orientation_any(PointId a, PointId b, PointId c, PointId d) const;
+  /// Side of the circle through a, b, c on which d lies, all projected along the axis: positive inside if a, b, c turn
+  /// counterclockwise. Zero if and only if the projections lie on one circle or line, or two are equal.
+  Sign in_circle(PointId a, PointId b, PointId c, PointId d, unsigned axis) const;
+  /// Side of the sphere through a, b, c, d on which e lies: positive inside if orientation_any(a, b, c, d) is positive.
+  /// Zero if and only if the points lie on one sphere or plane, or four of them on one circle or line, or two are
+  /// equal.
+  Sign in_sphere(PointId a, PointId b, PointId c, PointId d, PointId e) const;
+  /// By x, then y, then z. Negative if p comes first, zero if and only if the points are equal; transitive.
+  /// Counted as the comparisons of coordinates that it makes.
+  Sign compare_lexicographically(PointId p, PointId q) const;
+  /// Along the line's direction: the sign of direction . (p - q). Negative if p comes first, zero if and only if p - q
+  /// is normal to the line; transitive.
+  Sign compare_along(LineId line, PointId p, PointId q) const;
 
   // Predicates on planes and lines.
   Sign normal_component(PlaneId plane, unsigned axis) const;
@@ -145,7 +171,15 @@ class Constructions {
     counter_->count_filter();
     return true;
   }
+  // Counts the tier.
+  Sign counted(Sign sign, Tier tier) const;
 
+  // Coordinates x / w, y / w, z / w in units of the table's grid; w positive.
+  std::array<Integer, 4> homogeneous(PointId point) const;
+  // Up to a positive factor.
+  std::array<Integer, 3> direction(LineId line) const;
+
+  Sign turn_beyond_explicit(PointId a, PointId b, PointId c, unsigned axis) const;
   Sign orientation_beyond_plain(PointId a, PointId b, PointId c, PointId d) const;
   Sign exact_orientation(PointId a, PointId b, PointId c, PointId d) const;
   Sign exact_turn(PointId a, PointId b, PointId c, unsigned axis) const;

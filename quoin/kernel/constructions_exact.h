@@ -149,6 +149,7 @@ class ExactTable {
   filter::Line set_line(LineId line, PointId p, PointId q);
   filter::Line set_line(LineId line, PlaneId p, PlaneId q);
   Point3 set_point(PointId point, PointId p, PointId q, PlaneId plane);
+  Point3 set_crossing(PointId point, PointId p, PointId q, PointId r, PointId s, unsigned axis);
   Point3 set_point(PointId point, PlaneId p, PlaneId q, PlaneId r);
   Point3 set_point(PointId point, std::array<PointId, 3> corners, std::array<std::uint32_t, 3> weights);
   Point3 round(PointId point) const;
@@ -164,6 +165,10 @@ class ExactTable {
   Sign turn(LineId a, LineId b, unsigned axis) const;
   Sign triple(LineId line, PlaneId p, PlaneId q) const;
 
+  /// (x, y, z, w), the coordinates x / w, y / w, z / w in units of the grid, w positive.
+  std::array<Integer, 4> homogeneous(PointId point) const;
+  /// Up to a positive factor.
+  std::array<Integer, 3> direction(LineId line) const;
   RationalPoint3 exact(PointId point) const;
   bool is_exact(PointId point, const Point3& rounded) const;
   std::array<Rational, 4> plane_equation(PlaneId plane) const;
@@ -190,6 +195,8 @@ class ExactTable {
   const Plane& plane(PlaneId id) const { return planes_[id.index()]; }
   std::array<typename N::Coordinate, 3> difference(PointId q, PointId p) const;
   typename N::Offset offset_at(const Plane& plane, PointId p) const;
+  Plane axis_plane(PointId p, PointId q, unsigned axis) const;
+  Point3 set_meeting(PointId point, PointId p, PointId q, const Plane& plane);
   filter::Plane finish(Plane& plane) const;
   filter::Line finish(Line& line) const;
   Point3 finish(PointId point);

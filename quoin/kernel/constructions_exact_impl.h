@@ -141,8 +141,8 @@ filter::Plane ExactTable<N>::set_plane(PlaneId id, PointId a, PointId b, PointId
 }
 
 template <class N>
-filter::Plane ExactTable<N>::set_axis_plane(PlaneId id, PointId p, PointId q, unsigned axis) {
-  Plane& plane = planes_[id.index()];
+typename ExactTable<N>::Plane ExactTable<N>::axis_plane(PointId p, PointId q, unsigned axis) const {
+  Plane plane;
   const auto direction = difference(q, p);
   const unsigned i = next_axis(axis);
   const unsigned j = previous_axis(axis);
@@ -150,6 +150,13 @@ filter::Plane ExactTable<N>::set_axis_plane(PlaneId id, PointId p, PointId q, un
   plane.normal[i] = widened<typename N::Normal>(-direction[j]);
   plane.normal[j] = widened<typename N::Normal>(direction[i]);
   plane.offset = offset_at(plane, p);
+  return plane;
+}
+
+template <class N>
+filter::Plane ExactTable<N>::set_axis_plane(PlaneId id, PointId p, PointId q, unsigned axis) {
+  Plane& plane = planes_[id.index()];
+  plane = axis_plane(p, q, axis);
   return finish(plane);
 }
 
@@ -212,11 +219,10 @@ Point3 ExactTable<N>::round(PointId id) const {
 
 /// W = n . (q - p), X = W p + (e - n . p)(q - p).
 template <class N>
-Point3 ExactTable<N>::set_point(PointId id, PointId p, PointId q, PlaneId plane_id) {
+Point3 ExactTable<N>::set_meeting(PointId id, PointId p, PointId q, const Plane& m) {
   using LineWeight = typename N::Offset;  // 3B + 7 bits
   using LineNumerator = typename N::LineNumerator;
   Point& point = constructed(id);
-  const Plane& m = plane(plane_id);
   const auto from = explicit_[p];
   const auto direction = difference(q, p);
   const auto weight = detail::dot<LineWeight>(m.normal, direction);
@@ -227,6 +233,16 @@ Point3 ExactTable<N>::set_point(PointId id, PointId p, PointId q, PlaneId plane_
   }
   point.weight = widened<typename N::Weight>(weight);
   return finish(id);
+}
+
+template <class N>
+Point3 ExactTable<N>::set_point(PointId id, PointId p, PointId q, PlaneId plane_id) {
+  return set_meeting(id, p, q, plane(plane_id));
+}
+
+template <class N>
+Point3 ExactTable<N>::set_crossing(PointId id, PointId p, PointId q, PointId r, PointId s, unsigned axis) {
+  return set_meeting(id, p, q, axis_plane(r, s, axis));
 }
 
 /// W = det(n1, n2, n3), X = e1 (n2 x n3) + e2 (n3 x n1) + e3 (n1 x n2).
@@ -370,6 +386,41 @@ inline Rational to_rational(const Rational& a) {
 inline Rational power_of_two(int exponent) {
   const Integer power = Integer(1) << static_cast<std::size_t>(std::abs(exponent));
   return exponent >= 0 ? Rational(power) : Rational(Integer(1), power);
+}
+
+template <std::size_t M>
+Integer integral(const FixedInt<M>& a) {
+  return to_integer(a);
+}
+inline Integer integral(const Integer& a) {
+  return a;
+}
+inline Integer integral(const Rational& a) {
+  return a.numerator();
+}
+
+template <class N>
+std::array<Integer, 4> ExactTable<N>::homogeneous(PointId id) const {
+  if constexpr (std::is_same_v<N, NumbersRational>) {
+    RationalPoint3 p = exact(id);
+    Rational weight(1);
+    std::array<Rational*, 4> values{&p.x, &p.y, &p.z, &weight};
+    clear_denominators(values);
+    return {p.x.numerator(), p.y.numerator(), p.z.numerator(), weight.numerator()};
+  } else {
+    if (is_explicit(id)) {
+      const auto p = explicit_[id];
+      return {integral(p[0]), integral(p[1]), integral(p[2]), Integer(1)};
+    }
+    const Point& p = constructed(id);
+    return {integral(p.numerator[0]), integral(p.numerator[1]), integral(p.numerator[2]), integral(p.weight)};
+  }
+}
+
+template <class N>
+std::array<Integer, 3> ExactTable<N>::direction(LineId id) const {
+  const auto& d = lines_[id.index()].direction;  // integers, of rationals too: see finish
+  return {integral(d[0]), integral(d[1]), integral(d[2])};
 }
 
 template <class N>

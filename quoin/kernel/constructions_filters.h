@@ -88,17 +88,6 @@ inline int orientation_any_range(const Point3& a, const Point3& b, const Point3&
   return least >= 0x1p-330 && most <= 0x1p340 ? det.sign() : 0;
 }
 
-/// The same where the points are rounded. With M the largest coordinate, differences are below 2M and off by
-/// 2 u M (data) + 2 u M; the inner product differences below 8 M^2 and off by 2 (2 * 2M * 4uM + 4 u M^2) + 8 u M^2 = 48
-/// u M^2; the terms off by 2M * 48 u M^2 + 8 M^2 * 4uM + 16 u M^3 = 144 u M^3; three of them and the two sums by 3 *
-/// 144 + 32 + 48 = 512 u M^3 = 5.685e-14 M^3.
-inline int orientation_rounded(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
-  const double m = std::max(std::max(max_abs(a), max_abs(b)), std::max(max_abs(c), max_abs(d)));
-  if (!(m >= 0x1p-330 && m <= 0x1p330)) return 0;
-  const Determinant det(difference(b, a), difference(c, a), difference(d, a));
-  return certain_sign(det.value, 5.8e-14 * m * m * m);
-}
-
 /// Sign of a d - b c, each factor of which has met one rounding: the terms are off by 3 u of themselves, the difference
 /// by u more, so |error| <= 4 u (|ad| + |bc|) (1 + 5 u), and 4 u = 4.4409e-16.
 inline int cross(double a, double b, double c, double d) {
@@ -121,13 +110,6 @@ inline int turn_rounded_last(const Point3& a, const Point3& b, const Point3& c, 
   const double from_c = std::fabs(bi) * (std::fabs(c[j]) + 0x1p-1000) + std::fabs(bj) * (std::fabs(c[i]) + 0x1p-1000);
   const double sizes = std::fabs(left) + std::fabs(right) + from_c;
   return certain_sign(left - right, 4.45e-16 * sizes + underflow_slack);
-}
-
-/// The same with all three rounded: by the count of `orientation_rounded`, off by 48 u M^2 = 5.33e-15 M^2.
-inline int turn_rounded(const Point3& a, const Point3& b, const Point3& c, unsigned i, unsigned j) {
-  const double m = std::max(std::max(max_abs(a), max_abs(b)), max_abs(c));
-  const double value = (b[i] - a[i]) * (c[j] - a[j]) - (b[j] - a[j]) * (c[i] - a[i]);
-  return certain_sign(value, 5.5e-15 * m * m + underflow_slack);
 }
 
 /// Side of a rounded point on a rounded plane. `extent` is a power of two that no explicit coordinate exceeds in

@@ -84,7 +84,27 @@ inline int orientation_by_maxima(const Point3& a, const Point3& b, const Point3&
   return likely_sign(det.value, 5.2e-15 * det.x * det.y * det.z + slack);
 }
 
-/// Sign of the determinant of the rows (x, y, x^2 + y^2) of a - d, b - d, c - d; decides only where M <= 2^200.
+/// The determinant of the rows (x, y, x^2 + y^2) of a - d, b - d, c - d, and the maxima.
+struct InCircle {
+  double value;
+  double x;
+  double y;
+
+  InCircle(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
+    const double ax = a.x - d.x;
+    const double ay = a.y - d.y;
+    const double bx = b.x - d.x;
+    const double by = b.y - d.y;
+    const double cx = c.x - d.x;
+    const double cy = c.y - d.y;
+    value = (ax * ax + ay * ay) * (bx * cy - by * cx) + (bx * bx + by * by) * (cx * ay - cy * ax) +
+            (cx * cx + cy * cy) * (ax * by - ay * bx);
+    x = max_abs(ax, bx, cx);
+    y = max_abs(ay, by, cy);
+  }
+};
+
+/// Sign of InCircle::value; decides only where M <= 2^200.
 ///
 /// Minors of two rows: products 3 each, their difference 2: 8 u XY. Lifts: squares 3 each, sum 2: 8 u M^2, size 2 M^2.
 /// Terms: 2 * 8 + 2 * 8 + their product 4 = 36, three of them 108; sums of size 8 and 12: 128 u XY M^2 (1 + 20 u) =
@@ -93,19 +113,10 @@ inline int orientation_by_maxima(const Point3& a, const Point3& b, const Point3&
 inline int in_circle(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
   constexpr double largest = 0x1p200;
   constexpr double slack = 0x1p-660;
-  const double ax = a.x - d.x;
-  const double ay = a.y - d.y;
-  const double bx = b.x - d.x;
-  const double by = b.y - d.y;
-  const double cx = c.x - d.x;
-  const double cy = c.y - d.y;
-  const double x = max_abs(ax, bx, cx);
-  const double y = max_abs(ay, by, cy);
-  const double m = std::max(x, y);
-  const double value = (ax * ax + ay * ay) * (bx * cy - by * cx) + (bx * bx + by * by) * (cx * ay - cy * ax) +
-                       (cx * cx + cy * cy) * (ax * by - ay * bx);
+  const InCircle det(a, b, c, d);
+  const double m = std::max(det.x, det.y);
   if (!(m <= largest)) return 0;
-  return certain_sign(value, 1.5e-14 * x * y * (m * m) + slack);
+  return certain_sign(det.value, 1.5e-14 * det.x * det.y * (m * m) + slack);
 }
 
 /// Minus the determinant of the rows (x, y, z, x^2 + y^2 + z^2) of a - e, b - e, c - e, d - e, and the maxima.

@@ -16,6 +16,10 @@ namespace quoin {
 /// @throws InputError  a point lies on the line, or p = q
 Sign compare_radially(const Point3& p, const Point3& q, const Point3& reference, const Point3& a, const Point3& b);
 
+/// The same for any points of the table.
+/// @throws InputError  a point lies on the line, or p and q are equal
+Sign compare_radially(const Constructions& table, PointId p, PointId q, PointId reference, PointId a, PointId b);
+
 /// The half-planes lie in planes that contain the line; each extends from it to the direction normal x line, so that
 /// its normal is the reference's turned by the same angle.
 Sign compare_radially(const Constructions& table, LineId line, PlaneId reference, PlaneId a, PlaneId b);
