@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "quoin/cli/summary.h"
+#include "quoin/solid/query/shell_components.h"
 
 namespace quoin::cli {
 
@@ -76,13 +77,14 @@ ViewScene scene_of_solid(const Brep& boundary, const Triangulated& triangles, co
   part.triangles = triangles.triangles;
   part.triangle_face = triangles.triangle_face;
   part.edges = edges_between_faces(triangles);
+  const std::vector<std::uint32_t> components = components_of_shells(boundary, context);
   for (std::uint32_t f = 0; f < boundary.face_count(); ++f) {
     const std::uint32_t first = boundary.face_first_origin[f];
     ViewFace face;
     face.plane = plane_of(boundary, f);
     face.origin = boundary.origins[first].leaf;
     face.origin_face = boundary.origins[first].face;
-    face.piece = boundary.face_shells[f];
+    face.piece = components[boundary.face_shells[f]];
     if (!boundary.face_colors.empty()) face.color = boundary.face_colors[f];
     part.faces.push_back(face);
     for (std::uint32_t o = first + 1; o < boundary.face_first_origin[f + 1]; ++o) {
