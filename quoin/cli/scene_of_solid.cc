@@ -2,31 +2,58 @@
 #include "quoin/cli/scene_of_solid.h"
 
 #include <algorithm>
-#include <cmath>
+#include <bit>
 #include <tuple>
+#include <unordered_set>
 
 #include "quoin/cli/summary.h"
+#include "quoin/solid/query/shell_components.h"
 
 namespace quoin::cli {
 
 namespace {
 
-// The plane of a face exactly where doubles hold its coefficients, else none: the view then shows it as rounded.
-std::array<double, 4> plane_of(const Brep& b, std::uint32_t f) {
-  const RationalPoint3 p = b.points.exact(b.face_planes[f][0]);
-  const RationalPoint3 q = b.points.exact(b.face_planes[f][1]);
-  const RationalPoint3 r = b.points.exact(b.face_planes[f][2]);
-  const RationalPoint3 u{q.x - p.x, q.y - p.y, q.z - p.z};
-  const RationalPoint3 v{r.x - p.x, r.y - p.y, r.z - p.z};
-  const RationalPoint3 n{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
-  const Rational exact[] = {n.x, n.y, n.z, n.x * p.x + n.y * p.y + n.z * p.z};
-  std::array<double, 4> plane{};
-  for (std::size_t k = 0; k < 4; ++k) {
-    plane[k] = exact[k].to_double();
-    if (!std::isfinite(plane[k]) || Rational(plane[k]) != exact[k]) return {};
+// Points that span the planes of faces, as the view wants them: vertices where they are such.
+class PlanePoints {
+ public:
+  explicit PlanePoints(ViewPart& part) : part_(part), by_place_(part.vertices.size(), Hash{this}, Equal{this}) {
+    for (std::uint32_t v = 0; v < part.vertices.size(); ++v) by_place_.insert(v);
   }
-  return plane;
-}
+
+  std::uint32_t index_of(const Point3& point) {
+    const auto next = static_cast<std::uint32_t>(part_.vertices.size() + part_.plane_points.size());
+    part_.plane_points.push_back(point);
+    const auto [found, is_new] = by_place_.insert(next);
+    if (!is_new) part_.plane_points.pop_back();
+    return *found;
+  }
+
+ private:
+  struct Hash {
+    const PlanePoints* points;
+    std::size_t operator()(std::uint32_t index) const {
+      std::size_t hash = 0;
+      // Adding zero makes -0 hash as 0.
+      for (std::size_t k = 0; k < 3; ++k) {
+        hash = (hash ^ std::bit_cast<std::uint64_t>(points->at(index)[k] + 0.0)) * 0x9E3779B97F4A7C15U;
+        hash ^= hash >> 29;
+      }
+      return hash;
+    }
+  };
+  struct Equal {
+    const PlanePoints* points;
+    bool operator()(std::uint32_t a, std::uint32_t b) const { return points->at(a) == points->at(b); }
+  };
+
+  const Point3& at(std::uint32_t index) const {
+    const std::size_t vertices = part_.vertices.size();
+    return index < vertices ? part_.vertices[index] : part_.plane_points[index - vertices];
+  }
+
+  ViewPart& part_;
+  std::unordered_set<std::uint32_t, Hash, Equal> by_place_;
+};
 
 // Edges of triangles at which two different faces meet.
 std::vector<std::array<std::uint32_t, 2>> edges_between_faces(const Triangulated& t) {
@@ -76,13 +103,18 @@ ViewScene scene_of_solid(const Brep& boundary, const Triangulated& triangles, co
   part.triangles = triangles.triangles;
   part.triangle_face = triangles.triangle_face;
   part.edges = edges_between_faces(triangles);
+  PlanePoints plane_points(part);
+  const std::vector<std::uint32_t> components = components_of_shells(boundary, context);
   for (std::uint32_t f = 0; f < boundary.face_count(); ++f) {
     const std::uint32_t first = boundary.face_first_origin[f];
     ViewFace face;
-    face.plane = plane_of(boundary, f);
+    const auto& [p, q, r] = boundary.face_planes[f];  // explicit points, which rounding leaves as they are
+    part.face_spans.push_back({plane_points.index_of(boundary.points.rounded(p)),
+                               plane_points.index_of(boundary.points.rounded(q)),
+                               plane_points.index_of(boundary.points.rounded(r))});
     face.origin = boundary.origins[first].leaf;
     face.origin_face = boundary.origins[first].face;
-    face.piece = boundary.face_shells[f];
+    face.piece = components[boundary.face_shells[f]];
     if (!boundary.face_colors.empty()) face.color = boundary.face_colors[f];
     part.faces.push_back(face);
     for (std::uint32_t o = first + 1; o < boundary.face_first_origin[f + 1]; ++o) {

@@ -87,6 +87,10 @@ bool floats_hold_planes(const std::vector<ViewFace>& faces) {
   });
 }
 
+bool has_no_plane(const ViewFace& face) {
+  return std::ranges::all_of(face.plane, [](double c) { return c == 0; });
+}
+
 /// Calls `visit(key, type, length, at)` for every array of the part that is not all zero, always in the same order.
 template <class Visit>
 class PartArrays {
@@ -136,8 +140,14 @@ class PartArrays {
 
   void visit_faces() {
     const auto& faces = part_.faces;
-    real_array("planes", floats_hold_planes(faces) ? ElementType::f32 : ElementType::f64, 4 * faces.size(),
-               [&](std::size_t i) { return faces[i / 4].plane[i % 4]; });
+    if (!std::ranges::all_of(faces, has_no_plane)) {
+      real_array("planes", floats_hold_planes(faces) ? ElementType::f32 : ElementType::f64, 4 * faces.size(),
+                 [&](std::size_t i) { return faces[i / 4].plane[i % 4]; });
+    }
+    unsigned_array("faceSpans", 3 * part_.face_spans.size(),
+                   [&](std::size_t i) { return part_.face_spans[i / 3][i % 3]; });
+    real_array("planePoints", ElementType::f64, 3 * part_.plane_points.size(),
+               [&](std::size_t i) { return part_.plane_points[i / 3][i % 3]; });
     unsigned_array(
         "faceOrigins", faces.size(), [&](std::size_t i) { return faces[i].origin; }, true);
     unsigned_array(
@@ -244,6 +254,8 @@ class PageWriter {
     write_string(part.name);
     out_ << ",\"facts\":";
     write_facts(part.facts);
+    out_ << ",\"faceCount\":";
+    write_number(part.faces.size());
     out_ << ",\"arrays\":{";
     const char* separator = "";
     visit_arrays(part, frame_, [&](std::string_view key, ElementType type, std::size_t length, const auto&) {

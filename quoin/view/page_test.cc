@@ -95,6 +95,8 @@ TEST(Page, HoldsEveryArray) {
   ViewPart part = triangle({0, 0, 0}, {4, 0, 0}, {0, 2, 0});
   part.faces[0].color = Color{1, 2, 3, 4};
   part.plane_texts = {"z = 1/10"};
+  part.face_spans = {{0, 1, 3}};
+  part.plane_points = {{0, 1e-30, 0}};
   part.more_origins = {{0, 300, 5}};
   const std::string page = page_of(scene_of(part));
   const std::string header = element(page, "quoin-scene");
@@ -103,6 +105,9 @@ TEST(Page, HoldsEveryArray) {
   EXPECT_EQ(array<std::uint8_t>(page, "triangles"), (std::vector<std::uint8_t>{0, 1, 2}));
   EXPECT_EQ(array<std::uint8_t>(page, "edges"), (std::vector<std::uint8_t>{0, 1, 1, 2, 0, 2}));
   EXPECT_EQ(array<double>(page, "planes"), (std::vector<double>{0, 0, 1, 0.1}));
+  EXPECT_EQ(array<std::uint8_t>(page, "faceSpans"), (std::vector<std::uint8_t>{0, 1, 3}));
+  EXPECT_EQ(array<double>(page, "planePoints"), (std::vector<double>{0, 1e-30, 0}));
+  EXPECT_NE(header.find("\"faceCount\":1"), std::string::npos) << header;
   EXPECT_EQ(array<std::uint8_t>(page, "faceOrigins"), (std::vector<std::uint8_t>{7}));
   EXPECT_EQ(array<std::uint8_t>(page, "colors"), (std::vector<std::uint8_t>{1, 2, 3, 4}));
   EXPECT_EQ(array<std::uint16_t>(page, "moreOrigins"), (std::vector<std::uint16_t>{0, 300, 5}));

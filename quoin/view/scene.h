@@ -19,7 +19,7 @@ using ViewFact = std::pair<std::string, std::string>;
 /// A face as the view shows it; its triangles are those of the part that name it in `triangle_face`.
 struct ViewFace {
   /// (a, b, c, d): a x + b y + c z = d with (a, b, c) pointing outward, of any length. All zero: not known; the view
-  /// then shows the plane of the triangle that was picked, as rounded.
+  /// then shows the plane of ViewPart::face_spans, or else of the triangle that was picked, as rounded.
   std::array<double, 4> plane{};
   std::uint32_t origin = 0;       ///< index into ViewScene::origins; faces without a colour are coloured by it
   std::uint32_t origin_face = 0;  ///< index of the face in that input
@@ -41,7 +41,11 @@ struct ViewPart {
   std::vector<std::array<std::uint32_t, 3>> triangles{};  ///< counterclockwise seen from outside
   std::vector<std::uint32_t> triangle_face{};             ///< index into faces, one per triangle
   std::vector<ViewFace> faces{};
-  std::vector<std::string> plane_texts{};             ///< empty, or per face: the exact equation, shown as it stands
+  std::vector<std::string> plane_texts{};  ///< empty, or per face: the exact equation, shown as it stands
+  /// Empty, or per face: three points that span its plane exactly, counterclockwise seen from outside. Indices into
+  /// `vertices` and, from its size on, into `plane_points`. The view works out the exact equation from them.
+  std::vector<std::array<std::uint32_t, 3>> face_spans{};
+  std::vector<Point3> plane_points{};                 ///< finite; of `face_spans`
   std::vector<ViewOrigin> more_origins{};             ///< in any order
   std::vector<std::array<std::uint32_t, 2>> edges{};  ///< edges of faces, drawn as lines; not those inside faces
   std::vector<ViewFact> facts{};

@@ -19,11 +19,11 @@ void check_index(const ViewPart& part, const char* holder, std::size_t at, std::
                    " of " + std::to_string(count));
 }
 
-void check_vertices(const ViewPart& part) {
-  for (std::size_t v = 0; v < part.vertices.size(); ++v) {
-    const Point3& p = part.vertices[v];
+void check_points(const ViewPart& part, const std::vector<Point3>& points, const char* kind) {
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    const Point3& p = points[v];
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
-      refuse(part, "vertex " + std::to_string(v) + " is not finite");
+      refuse(part, std::string(kind) + ' ' + std::to_string(v) + " is not finite");
     }
   }
 }
@@ -41,6 +41,18 @@ void check_triangles(const ViewPart& part) {
   }
 }
 
+void check_face_spans(const ViewPart& part) {
+  if (!part.face_spans.empty() && part.face_spans.size() != part.faces.size()) {
+    refuse(part, std::to_string(part.faces.size()) + " faces, but " + std::to_string(part.face_spans.size()) +
+                     " spans of planes");
+  }
+  check_points(part, part.plane_points, "plane point");
+  const std::size_t points = part.vertices.size() + part.plane_points.size();
+  for (std::size_t f = 0; f < part.face_spans.size(); ++f) {
+    for (const std::uint32_t p : part.face_spans[f]) check_index(part, "the span of face", f, p, points, "point");
+  }
+}
+
 void check_faces(const ViewPart& part) {
   for (std::size_t f = 0; f < part.faces.size(); ++f) {
     for (const double coefficient : part.faces[f].plane) {
@@ -51,6 +63,7 @@ void check_faces(const ViewPart& part) {
     refuse(part, std::to_string(part.faces.size()) + " faces, but " + std::to_string(part.plane_texts.size()) +
                      " texts of planes");
   }
+  check_face_spans(part);
   for (std::size_t i = 0; i < part.more_origins.size(); ++i) {
     check_index(part, "further origin", i, part.more_origins[i].face, part.faces.size(), "face");
   }
@@ -66,7 +79,7 @@ void check_edges(const ViewPart& part) {
 
 void check_scene(const ViewScene& scene) {
   for (const ViewPart& part : scene.parts) {
-    check_vertices(part);
+    check_points(part, part.vertices, "vertex");
     check_faces(part);
     check_triangles(part);
     check_edges(part);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+import { exactPlane, exactPlaneText, type ExactPlane } from "./exact_plane";
 import { givenPlane, faceNormal } from "./part_geometry";
 import type { Part, Vec3 } from "./scene_data";
 
@@ -35,17 +36,39 @@ export function planeEquation(plane: [number, number, number, number]): string {
   return `${text} = ${exactNumber(plane[3])}`;
 }
 
-/** The plane of a face as it was given, else that of the triangle, said to be rounded. One across an axis is read off a corner. */
-export function faceEquation(part: Part, face: number, triangle: number): string {
+/** The plane of a face: `text` is exact unless it begins with ≈, and then `exact` has the equation in full, if known. */
+export interface FacePlane {
+  text: string;
+  exact?: ExactPlane;
+}
+
+const longEquation = 60;
+const longNumber = 14;
+
+/** As it was given, else from the points that span it, else that of the triangle. One across an axis is read off a corner. */
+export function facePlane(part: Part, face: number, triangle: number): FacePlane {
   const text = part.planeText(face);
-  if (text) return text;
+  if (text) return { text };
   const given = givenPlane(part, face);
-  const axes = [0, 1, 2].filter((axis) => given?.[axis] !== 0);
-  if (given && axes.length === 1) return `${"xyz"[axes[0]]} = ${exactNumber(part.vertex(part.triangles[3 * triangle])[axes[0]])}`;
-  if (given) return planeEquation(given);
+  const span = part.span(face);
+  const exact = !given && span ? exactPlane(...span) : undefined;
+  const normal = given ?? exact?.normal;
+  const axes = [0, 1, 2].filter((axis) => normal && Number(normal[axis]) !== 0);
+  const corner = exact && span ? span[0] : part.vertex(part.triangles[3 * triangle]);
+  if (normal && axes.length === 1) return { text: `${"xyz"[axes[0]]} = ${exactNumber(corner[axes[0]])}` };
+  if (given) return { text: planeEquation(given) };
+  const whole = exact && exactPlaneText(exact);
+  if (whole && whole.length <= longEquation) return { text: whole };
   const n = faceNormal(part, face, triangle);
-  const corner = part.vertex(part.triangles[3 * triangle]);
   const offset = n[0] * corner[0] + n[1] * corner[1] + n[2] * corner[2];
   const rounded = [...n, offset].map((x) => Number(x.toPrecision(7)));
-  return `≈ ${planeEquation(rounded as [number, number, number, number])}`;
+  return { text: `≈ ${planeEquation(rounded as [number, number, number, number])}`, exact };
+}
+
+/** An exact equation in a line or two: of long numbers the first and the last digits, and how many there are. */
+export function shortened(plane: ExactPlane): string {
+  return exactPlaneText(plane, (digits) => {
+    if (digits.length <= longNumber) return digits;
+    return `${digits.slice(0, 5)}…${digits.slice(-4)}`;
+  });
 }

@@ -25,14 +25,15 @@ export function triangleCorners(part: Part, triangle: number): [Vec3, Vec3, Vec3
 
 /** (a, b, c, d) of a x + b y + c z = d as it was given, or nothing. */
 export function givenPlane(part: Part, face: number): [number, number, number, number] | undefined {
+  if (part.planes.length === 0) return undefined;
   const p = part.planes.subarray(4 * face, 4 * face + 4);
   return p[0] === 0 && p[1] === 0 && p[2] === 0 ? undefined : [p[0], p[1], p[2], p[3]];
 }
 
-/** Unit outward normal, of the given plane or else of the triangle. */
+/** Unit outward normal, of the given plane, of the points that span it, or else of the triangle. */
 export function faceNormal(part: Part, face: number, triangle: number): Vec3 {
   const plane = givenPlane(part, face);
   if (plane) return unit([plane[0], plane[1], plane[2]]);
-  const [a, b, c] = triangleCorners(part, triangle);
+  const [a, b, c] = part.span(face) ?? triangleCorners(part, triangle);
   return unit(cross(unit(sub(b, a)), unit(sub(c, a))));
 }

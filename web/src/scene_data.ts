@@ -14,6 +14,7 @@ interface ArrayHeader {
 interface PartHeader {
   name: string;
   facts: Fact[];
+  faceCount: number;
   arrays: Record<string, ArrayHeader | undefined>;
 }
 
@@ -51,6 +52,8 @@ export class Part {
   private readonly colors: Unsigned | undefined;
   private readonly colored: Unsigned | undefined;
   private readonly moreOrigins: Unsigned;
+  private readonly faceSpans: Unsigned | undefined;
+  private readonly planePoints: Float32Array | Float64Array;
   private readonly planeTexts: Uint8Array | undefined;
   private readonly planeTextEnds: Unsigned | undefined;
 
@@ -69,7 +72,9 @@ export class Part {
     this.triangleFaces = unsigned("triangleFaces") ?? new Uint8Array(0);
     this.edges = unsigned("edges") ?? new Uint8Array(0);
     this.planes = real("planes");
-    this.faceCount = this.planes.length / 4;
+    this.faceCount = header.faceCount;
+    this.faceSpans = unsigned("faceSpans");
+    this.planePoints = real("planePoints");
     this.faceOrigins = unsigned("faceOrigins");
     this.faceOriginFaces = unsigned("faceOriginFaces");
     this.facePieces = unsigned("facePieces");
@@ -133,6 +138,19 @@ export class Part {
     if (!this.colored || this.colored[face] === 0) return undefined;
     const i = 4 * face;
     return c ? [c[i], c[i + 1], c[i + 2], c[i + 3]] : [0, 0, 0, 0];
+  }
+
+  /** Three points that span the face's plane exactly, counterclockwise seen from outside, where the page has them. */
+  span(face: number): [Vec3, Vec3, Vec3] | undefined {
+    const spans = this.faceSpans;
+    if (!spans) return undefined;
+    return [this.planePoint(spans[3 * face]), this.planePoint(spans[3 * face + 1]), this.planePoint(spans[3 * face + 2])];
+  }
+
+  private planePoint(index: number): Vec3 {
+    if (index < this.vertexCount) return this.vertex(index);
+    const [p, i] = [this.planePoints, 3 * (index - this.vertexCount)];
+    return [p[i], p[i + 1], p[i + 2]];
   }
 
   planeText(face: number): string {

@@ -140,6 +140,27 @@ ViewScene ball(std::uint32_t n) {
   return scene;
 }
 
+/// A tetrahedron whose faces come with points that span their planes; one of those is no vertex of it.
+ViewScene spanned() {
+  ViewScene scene{"Spanned planes", "mm", {"wedge.off"}, {}, {}};
+  ViewPart part{.name = "wedge"};
+  part.vertices = {{0, 0, 0}, {3.5, 0, 0}, {0, 2, 0}, {0, 0, 0.1}};
+  part.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+  part.triangle_face = {0, 1, 2, 3};
+  part.faces.resize(4);
+  part.edges = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
+  part.face_spans = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+  ViewPart exact = part;  // upper plane: 4 (x - 5) + 7 y + 56 z = 14
+  exact.name = "short";
+  for (Point3& p : exact.vertices) p.x += 5;
+  exact.vertices[3].z = 0.25;
+  exact.plane_points = {{12, -2, 0}};
+  exact.face_spans[3] = {4, 2, 3};
+  scene.parts.push_back(std::move(part));
+  scene.parts.push_back(std::move(exact));
+  return scene;
+}
+
 /// Far from the origin and tiny: single precision alone would show nothing.
 ViewScene far_away() {
   ViewScene scene{"Far away", "m", {}, {}, {}};
@@ -167,6 +188,7 @@ int main(int argc, char** argv) {
     const std::string directory = argv[1];
     write(directory + "/small.html", small());
     write(directory + "/assembly.html", assembly());
+    write(directory + "/spanned.html", spanned());
     write(directory + "/far.html", far_away());
     write(directory + "/empty.html", ViewScene{.title = "Nothing"});
     if (argc > 2 && std::string_view(argv[2]) == "--large") write(directory + "/large.html", ball(708));

@@ -106,6 +106,27 @@ describe("the view", () => {
     });
   });
 
+  it("works out exact planes from the points that span them", async () => {
+    await look("spanned", { reducedMotion: "reduce" }, async (page) => {
+      const wedge = await whereFaceIs(page, "wedge", 3);
+      const short = await whereFaceIs(page, "short", 3);
+      await page.mouse.click(short.x, short.y);
+      assert.match(await page.locator(".card").first().innerText(), /4 x \+ 7 y \+ 56 z = 34\n/);
+      await page.mouse.click(wedge.x, wedge.y);
+      const { plane } = await page.evaluate(() => window.quoinView.picked());
+      const found = plane.match(/^(\d+) x \+ (\d+) y \+ (\d+) z = (\d+)(?:\/(\d+))?$/);
+      assert.ok(found, plane);
+      const [a, b, c, d, q] = found.slice(1).map((digits) => BigInt(digits ?? 1));
+      // Through (7/2, 0, 0), (0, 2, 0) and (0, 0, t) with the double t that is nearest to 1/10.
+      assert.equal(7n * a * q, 2n * d);
+      assert.equal(2n * b * q, d);
+      assert.equal(c * q * 3602879701896397n, d << 55n);
+      assert.match(await page.locator(".card").first().innerText(), /Plane\s+≈ 0\.0285[^]*Exactly[^]*…[^]*Copy in full/);
+      await page.getByText("Copy in full").click();
+      await page.getByText("Copied").waitFor();
+    });
+  });
+
   it("cuts, and fills what it cuts", async () => {
     await look("small", {}, async (page) => {
       const whole = await picture(page);

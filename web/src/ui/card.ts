@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-import { faceEquation, number } from "../format";
+import { exactPlaneText, type ExactPlane } from "../exact_plane";
+import { facePlane, number, shortened, type FacePlane } from "../format";
 import { faceNormal } from "../part_geometry";
 import type { Hit } from "../picking";
 import { originName, type SceneData } from "../scene_data";
@@ -11,20 +12,25 @@ export interface FaceInfo {
   part: string;
   partIndex: number;
   face: number;
-  plane: string;
+  plane: string; ///< exact, of any length, unless it begins with ≈
   normal: string;
   origins: { origin: number; name: string; face: number }[];
 }
 
 const mostOrigins = 6;
 
+function planeOf(hit: Hit): FacePlane {
+  return facePlane(hit.mesh.part, hit.face, hit.triangle);
+}
+
 export function describeFace(data: SceneData, hit: Hit): FaceInfo {
   const { part, index } = hit.mesh;
+  const plane = planeOf(hit);
   return {
     part: part.name || `Part ${index}`,
     partIndex: index,
     face: hit.face,
-    plane: faceEquation(part, hit.face, hit.triangle),
+    plane: plane.exact ? exactPlaneText(plane.exact) : plane.text,
     normal: `(${faceNormal(part, hit.face, hit.triangle).map((x) => number(x, 7)).join(", ")})`,
     origins: part.origins(hit.face).map(({ origin, face }) => ({ origin, face, name: originName(data, origin) })),
   };
@@ -42,6 +48,7 @@ export class FaceCard {
 
   show(hit: Hit): void {
     const info = describeFace(this.data, hit);
+    const plane = planeOf(hit);
     const from = el("span");
     info.origins.slice(0, mostOrigins).forEach(({ name, face }) => from.append(el("div", {}, `${name}, face ${face}`)));
     if (info.origins.length > mostOrigins) from.append(el("div", {}, `and ${info.origins.length - mostOrigins} more`));
@@ -55,7 +62,8 @@ export class FaceCard {
         el("button", { type: "button", "aria-label": "Close", onclick: () => this.close() }, icon(icons.close)),
       ),
       rows([
-        ["Plane", el("code", {}, info.plane)],
+        ["Plane", el("code", {}, plane.text)],
+        ...(plane.exact ? [this.exactRow(plane.exact, info.plane)] : []),
         ["Normal", el("code", {}, info.normal)],
         ["Area", `≈ ${number(faceArea(hit.mesh.part, hit.face), 7)}${unit}`],
         ["From", from],
@@ -65,7 +73,30 @@ export class FaceCard {
     this.element.hidden = false;
   }
 
+  /** What is too long to read can be copied. */
+  private exactRow(plane: ExactPlane, whole: string): [string, Node] {
+    const copy = el("button", { type: "button", class: "copy" }, "Copy in full");
+    copy.addEventListener("click", () => void copyText(whole).then((done) => (copy.textContent = done ? "Copied" : "Could not copy")));
+    return ["Exactly", el("span", {}, el("code", { title: whole }, shortened(plane)), copy)];
+  }
+
   hide(): void {
     this.element.hidden = true;
+  }
+}
+
+/** Pages opened from a file may not have the clipboard's interface: then through a selection. */
+async function copyText(text: string): Promise<boolean> {
+  try {
+    await navigator.clipboard.writeText(text);
+    return true;
+  } catch {
+    const field = el("textarea", { class: "hidden-text" });
+    field.value = text;
+    document.body.append(field);
+    field.select();
+    const done = document.execCommand("copy");
+    field.remove();
+    return done;
   }
 }
