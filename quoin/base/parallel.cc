@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+#include "quoin/base/fork_join.h"
+
 namespace quoin {
 
 namespace {
@@ -39,7 +41,12 @@ void for_each_chunk(const Context& context, std::size_t count, std::size_t grain
     for (std::size_t index = 0; index < chunks; ++index) run(index);
     return;
   }
-  in_arena(context, [&] { oneapi::tbb::parallel_for(std::size_t{0}, chunks, run); });
+  ForkJoin fork_join;
+  const auto task = [&](std::size_t index) {
+    const ForkedTask forked(fork_join);
+    run(index);
+  };
+  in_arena(context, [&] { oneapi::tbb::parallel_for(std::size_t{0}, chunks, task); });
 }
 
 void run_both(const Context& context, const std::function<void()>& first, const std::function<void()>& second) {
@@ -48,7 +55,12 @@ void run_both(const Context& context, const std::function<void()>& first, const 
     second();
     return;
   }
-  in_arena(context, [&] { oneapi::tbb::parallel_invoke(first, second); });
+  ForkJoin fork_join;
+  const auto task = [&](const std::function<void()>& work) {
+    const ForkedTask forked(fork_join);
+    work();
+  };
+  in_arena(context, [&] { oneapi::tbb::parallel_invoke([&] { task(first); }, [&] { task(second); }); });
 }
 
 }  // namespace quoin

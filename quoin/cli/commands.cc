@@ -63,7 +63,7 @@ int report(const Brep& boundary, const OutputReport& output, const std::vector<s
 int finish(const Brep& boundary, const std::string& title, std::vector<std::string> warnings, Clock::time_point start,
            const Options& options, const Context& context) {
   if (boundary.face_count() == 0) {
-    warnings.push_back(boundary.is_unbounded ? "the result is all of space" : "the result is empty");
+    warnings.emplace_back(boundary.is_unbounded ? "the result is all of space" : "the result is empty");
   }
   const OutputReport output = write_outputs(boundary, title, options, context);
   return report(boundary, output, warnings, seconds_since(start), options, context);

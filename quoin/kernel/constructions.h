@@ -53,6 +53,8 @@ class Constructions {
   /// Explicit points are rationals (solids read from the exact text form); every predicate is then exact rational
   /// arithmetic behind the same filters (with the bound for rounded points).
   explicit Constructions(std::vector<RationalPoint3> explicit_points);
+  Constructions(const Constructions&) = delete;
+  Constructions& operator=(const Constructions&) = delete;
   Constructions(Constructions&&) noexcept;
   Constructions& operator=(Constructions&&) noexcept;
   ~Constructions();

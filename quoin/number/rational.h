@@ -22,9 +22,8 @@ class Rational {
   Rational(int value) : Rational(static_cast<std::int64_t>(value)) {}          // NOLINT(google-explicit-constructor)
   /// Exact; the value must be finite.
   Rational(double value) : Rational() { mpq_set_d(value_, value); }  // NOLINT(google-explicit-constructor)
-  Rational(const Integer& value) : Rational() {
-    mpq_set_z(value_, value.raw());
-  }  // NOLINT(google-explicit-constructor)
+  // NOLINTNEXTLINE(google-explicit-constructor)
+  Rational(const Integer& value) : Rational() { mpq_set_z(value_, value.raw()); }
   /// The denominator must not be zero.
   Rational(const Integer& numerator, const Integer& denominator);
   Rational(const Rational& other) : Rational() { mpq_set(value_, other.value_); }

@@ -20,7 +20,7 @@ class Expression {
     complement  ///< of its only child
   };
   struct Node {
-    Kind kind;
+    Kind kind = Kind::leaf;
     std::uint32_t leaf = 0;         ///< of Kind::leaf
     std::uint32_t first_child = 0;  ///< into children()
     std::uint32_t child_count = 0;
