@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "quoin/io/readers.h"
+#include "quoin/io/single_point_set.h"
 #include "quoin/io/text_lines.h"
 
 namespace quoin::io {
@@ -41,7 +42,85 @@ bool is_stl_binary(std::string_view bytes) {
          bytes.size() == header_size + triangle_size * std::uint64_t{little_endian(bytes, 80)};
 }
 
-MeshFile read_stl_binary(std::string_view bytes, const std::string& name, const Context& context) {
+namespace {
+
+// The records of a binary file whose size fits its count; vertices as the file has them, or each distinct one once.
+class BinaryTriangles {
+ public:
+  BinaryTriangles(std::string_view bytes, const std::string& name, std::size_t count, const Context& context)
+      : bytes_(bytes), name_(name), count_(count), context_(context) {}
+
+  void read(Mesh& mesh, bool weld) {
+    mesh.corners.resize(3 * count_);
+    mesh.face_begin.resize(count_ + 1);
+    for (std::size_t t = 0; t < count_; ++t) mesh.face_begin[t + 1] = 3 * (t + 1);
+    if (weld) {
+      read_welded(mesh);
+    } else {
+      read_all(mesh);
+    }
+  }
+
+  bool has_attributes() const { return has_attributes_; }
+
+ private:
+  void read_welded(Mesh& mesh) {
+    SinglePointSet distinct(count_ / 2);  // a closed mesh of n triangles has about n / 2 vertices
+    mesh.vertices.reserve(count_ / 2 + 2);
+    for_each_corner([&](std::size_t corner, const SinglePointSet::Point& p) {
+      const SinglePointSet::Inserted at = distinct.insert(p);
+      mesh.corners[corner] = at.number;
+      if (at.is_new) mesh.vertices.push_back(widened(p));
+    });
+  }
+
+  void read_all(Mesh& mesh) {
+    mesh.vertices.resize(3 * count_);
+    for_each_corner([&](std::size_t corner, const SinglePointSet::Point& p) {
+      mesh.vertices[corner] = widened(p);
+      mesh.corners[corner] = static_cast<std::uint32_t>(corner);
+    });
+  }
+
+  static Point3 widened(const SinglePointSet::Point& p) {
+    return {static_cast<double>(p[0]) + 0.0, static_cast<double>(p[1]) + 0.0, static_cast<double>(p[2]) + 0.0};
+  }
+
+  template <class Visitor>
+  void for_each_corner(const Visitor& visit) {
+    for (std::size_t t = 0; t < count_; ++t) {
+      if (t % 8192 == 0) context_.poll();
+      const std::size_t at = header_size + triangle_size * t;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t offset = at + 12 + 12 * k;
+        const SinglePointSet::Point p{float_at(bytes_, offset), float_at(bytes_, offset + 4),
+                                      float_at(bytes_, offset + 8)};
+        if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2])) refuse(t, offset, p);
+        visit(3 * t + k, p);
+      }
+      has_attributes_ = has_attributes_ || bytes_[at + 48] != 0 || bytes_[at + 49] != 0;
+    }
+  }
+
+  [[noreturn]] void refuse(std::size_t triangle, std::size_t offset, const SinglePointSet::Point& p) const {
+    for (const float x : p) {
+      if (!std::isfinite(x)) break;
+      offset += 4;
+    }
+    throw InputError(name_ + ": byte " + std::to_string(offset) + ": triangle " + std::to_string(triangle) +
+                     " has a coordinate that is not finite");
+  }
+
+  std::string_view bytes_;
+  const std::string& name_;
+  std::size_t count_;
+  const Context& context_;
+  bool has_attributes_ = false;
+};
+
+}  // namespace
+
+MeshFile read_stl_binary(std::string_view bytes, const std::string& name, bool weld, const Context& context) {
   if (bytes.size() < header_size) {
     throw InputError(name + ": byte " + std::to_string(bytes.size()) +
                      ": the file ends within the header of a binary STL");
@@ -52,38 +131,18 @@ MeshFile read_stl_binary(std::string_view bytes, const std::string& name, const 
     throw InputError(name + ": byte " + std::to_string(bytes.size()) + ": the file ends within triangle " +
                      std::to_string(held) + " of " + std::to_string(count));
   }
+  if (count > 0xFFFFFFFFU / 3) throw InputError(name + ": more than 1.4 thousand million triangles");
   MeshFile file;
   file.report.format = MeshFormat::stl_binary;
   if (bytes.size() != header_size + count * triangle_size) {
     file.report.warnings.push_back(std::to_string(bytes.size() - header_size - count * triangle_size) +
                                    " bytes behind the last triangle are not kept");
   }
-  Mesh& mesh = file.mesh;
-  mesh.vertices.resize(3 * count);
-  mesh.corners.resize(3 * count);
-  mesh.face_begin.resize(count + 1);
-  bool has_attributes = false;
-  for (std::size_t t = 0; t < count; ++t) {
-    if (t % 8192 == 0) context.poll();
-    const std::size_t at = header_size + triangle_size * t;
-    for (std::size_t k = 0; k < 3; ++k) {
-      Point3 p;
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        const std::size_t offset = at + 12 + 12 * k + 4 * axis;
-        const float value = float_at(bytes, offset);
-        if (!std::isfinite(value)) {
-          throw InputError(name + ": byte " + std::to_string(offset) + ": triangle " + std::to_string(t) +
-                           " has a coordinate that is not finite");
-        }
-        p[axis] = static_cast<double>(value) + 0.0;
-      }
-      mesh.vertices[3 * t + k] = p;
-      mesh.corners[3 * t + k] = static_cast<std::uint32_t>(3 * t + k);
-    }
-    mesh.face_begin[t + 1] = 3 * (t + 1);
-    has_attributes = has_attributes || bytes[at + 48] != 0 || bytes[at + 49] != 0;
-  }
-  if (has_attributes) file.report.warnings.push_back("the attribute bytes of the triangles are not kept");
+  BinaryTriangles triangles(bytes, name, count, context);
+  triangles.read(file.mesh, weld);
+  file.report.vertices_in_file = 3 * count;
+  file.report.welded = 3 * count - file.mesh.vertices.size();
+  if (triangles.has_attributes()) file.report.warnings.push_back("the attribute bytes of the triangles are not kept");
   return file;
 }
 
