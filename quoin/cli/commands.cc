@@ -73,13 +73,6 @@ std::string stem(const std::string& name) {
   return name == "-" ? "input" : std::filesystem::path(name).stem().string();
 }
 
-Solid load_operand(const std::string& name, const Options& options, std::vector<std::string>& warnings,
-                   const Context& context) {
-  if (is_exact_text(name))
-    throw InputError(name + ": exact text is not read as an operand yet; use the meshes it was made from");
-  return Solid::of_leaf(load_leaf(name, options, warnings, context));
-}
-
 }  // namespace
 
 int run_boolean(const std::string& operation, const Options& options, const Context& context) {

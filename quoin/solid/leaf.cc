@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "quoin/base/parallel.h"
+#include "quoin/solid/brep.h"
 #include "quoin/solid/leaf_crossings.h"
+#include "quoin/solid/leaf_faces.h"
 #include "quoin/solid/leaf_tiles.h"
 #include "quoin/solid/leaf_twins.h"
 
@@ -13,9 +16,9 @@ namespace quoin {
 
 namespace {
 
-bool note_not_finite(const Mesh& mesh, std::size_t max_listed, MeshDiagnosis& diagnosis) {
-  for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
-    const Point3& p = mesh.vertices[v];
+bool note_not_finite(std::span<const Point3> vertices, std::size_t max_listed, MeshDiagnosis& diagnosis) {
+  for (std::uint32_t v = 0; v < vertices.size(); ++v) {
+    const Point3& p = vertices[v];
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) note(diagnosis.not_finite, v, max_listed);
   }
   return diagnosis.not_finite.count != 0;
@@ -74,11 +77,26 @@ void mark_flat_edges(Leaf& leaf, const Constructions& points, const Context& con
   });
 }
 
+// All but tiles and vertices.
+LeafResult finish(const std::shared_ptr<Leaf>& leaf, const Constructions& points, LeafResult result,
+                  const LeafOptions& options, const Context& context) {
+  match_twins(*leaf, options.max_listed, result.diagnosis, context);
+  note_duplicates(*leaf, options.max_listed, result.diagnosis);
+  mark_flat_edges(*leaf, points, context);
+  leaf->tree = BoxTree(leaf->vertices, leaf->tiles, context);
+  leaf->crosses_itself = true;
+  if (options.find_crossings) find_self_crossings(*leaf, points, options.max_listed, result.diagnosis, context);
+  if (!result.diagnosis.is_closed()) return result;
+  if (!leaf->crosses_itself) find_inverted_components(leaf, options.max_listed, result.diagnosis, context);
+  result.leaf = leaf;
+  return result;
+}
+
 }  // namespace
 
 LeafResult make_leaf(const Mesh& mesh, const LeafOptions& options, const Context& context) {
   LeafResult result;
-  if (note_not_finite(mesh, options.max_listed, result.diagnosis)) return result;
+  if (note_not_finite(mesh.vertices, options.max_listed, result.diagnosis)) return result;
   auto leaf = std::make_shared<Leaf>();
   leaf->vertices = plain_zeros(mesh.vertices);
   leaf->name = mesh.name;
@@ -88,16 +106,25 @@ LeafResult make_leaf(const Mesh& mesh, const LeafOptions& options, const Context
   MeshTiles tiles = make_tiles(mesh, points, options.max_listed, result.diagnosis, context);
   leaf->tiles = std::move(tiles.tiles);
   leaf->tile_face = std::move(tiles.tile_face);
-  match_twins(*leaf, options.max_listed, result.diagnosis, context);
-  note_duplicates(*leaf, options.max_listed, result.diagnosis);
-  mark_flat_edges(*leaf, points, context);
-  leaf->tree = BoxTree(leaf->vertices, leaf->tiles, context);
-  leaf->crosses_itself = true;
-  if (options.find_crossings) find_self_crossings(*leaf, points, options.max_listed, result.diagnosis, context);
-  if (!result.diagnosis.is_closed()) return result;
-  if (!leaf->crosses_itself) find_inverted_components(leaf, options.max_listed, result.diagnosis, context);
-  result.leaf = std::move(leaf);
-  return result;
+  return finish(leaf, points, std::move(result), options, context);
+}
+
+LeafResult make_leaf(const Brep& boundary, const std::string& name, const LeafOptions& options,
+                     const Context& context) {
+  LeafResult result;
+  auto leaf = std::make_shared<Leaf>();
+  leaf->exact_vertices = exact_points(boundary.points, context);
+  const Constructions points(leaf->exact_vertices);
+  for (std::size_t v = 0; v < points.point_count(); ++v) leaf->vertices.push_back(points.rounded(PointId{v}));
+  if (note_not_finite(leaf->vertices, options.max_listed, result.diagnosis)) return result;
+  leaf->name = name;
+  leaf->face_colors = boundary.face_colors;
+  context.progress("faces", 0);
+  MeshTiles tiles = make_tiles(boundary, points, options.max_listed, result.diagnosis, context);
+  if (result.diagnosis.not_planar_faces.count + result.diagnosis.not_simple_faces.count != 0) return result;
+  leaf->tiles = std::move(tiles.tiles);
+  leaf->tile_face = std::move(tiles.tile_face);
+  return finish(leaf, points, std::move(result), options, context);
 }
 
 }  // namespace quoin
