@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace quoin::io {
@@ -27,9 +29,31 @@ class SinglePointSet {
     bool is_new;
   };
 
-  Inserted insert(Point p) {
-    for (float& x : p) x += 0.0F;
-    std::size_t slot = hash_of(p) & (slots_.size() - 1);
+  /// Numbers a few points at once: their slots are fetched together, so that the cache misses overlap. Writes one
+  /// entry of `out` per point. -0 becomes +0 in `points`.
+  void insert(std::span<Point> points, std::span<Inserted> out) {
+    std::array<std::size_t, batch> hashes;
+    for (std::size_t begin = 0; begin < points.size(); begin += batch) {
+      const std::size_t count = std::min(batch, points.size() - begin);
+      for (std::size_t i = 0; i < count; ++i) {
+        for (float& x : points[begin + i]) x += 0.0F;
+        hashes[i] = hash_of(points[begin + i]);
+        __builtin_prefetch(&slots_[hashes[i] & (slots_.size() - 1)], 1);
+      }
+      for (std::size_t i = 0; i < count; ++i) out[begin + i] = insert(points[begin + i], hashes[i]);
+    }
+  }
+
+ private:
+  struct Slot {
+    Point point;
+    std::uint32_t after;  // number + 1; 0 in a free slot
+  };
+
+  static constexpr std::size_t batch = 48;
+
+  Inserted insert(const Point& p, std::size_t hash) {
+    std::size_t slot = hash & (slots_.size() - 1);
     while (slots_[slot].after != 0) {
       if (slots_[slot].point == p) return {slots_[slot].after - 1, false};
       slot = (slot + 1) & (slots_.size() - 1);
@@ -38,12 +62,6 @@ class SinglePointSet {
     if (2 * std::size_t{size_} > slots_.size()) grow();
     return {size_ - 1, true};
   }
-
- private:
-  struct Slot {
-    Point point;
-    std::uint32_t after;  // number + 1; 0 in a free slot
-  };
 
   static std::size_t hash_of(const Point& p) {
     const std::uint64_t xy =

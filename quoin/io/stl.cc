@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <cstring>
+#include <span>
 
 #include "quoin/io/readers.h"
 #include "quoin/io/single_point_set.h"
@@ -18,13 +22,6 @@ std::uint32_t little_endian(std::string_view bytes, std::size_t at) {
     return static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[at + k]));
   };
   return byte(0) | byte(1) << 8 | byte(2) << 16 | byte(3) << 24;
-}
-
-float float_at(std::string_view bytes, std::size_t at) {
-  const std::uint32_t bits = little_endian(bytes, at);
-  float value = 0;
-  std::memcpy(&value, &bits, sizeof value);
-  return value;
 }
 
 void expect_words(TextLines& lines, std::string_view first, std::string_view second) {
@@ -64,21 +61,30 @@ class BinaryTriangles {
   bool has_attributes() const { return has_attributes_; }
 
  private:
+  static constexpr std::size_t block = 16;  // triangles
+
+  using Corners = std::array<SinglePointSet::Point, 3 * block>;
+
   void read_welded(Mesh& mesh) {
     SinglePointSet distinct(count_ / 2);  // a closed mesh of n triangles has about n / 2 vertices
     mesh.vertices.reserve(count_ / 2 + 2);
-    for_each_corner([&](std::size_t corner, const SinglePointSet::Point& p) {
-      const SinglePointSet::Inserted at = distinct.insert(p);
-      mesh.corners[corner] = at.number;
-      if (at.is_new) mesh.vertices.push_back(widened(p));
+    std::array<SinglePointSet::Inserted, 3 * block> numbers;
+    for_each_block([&](std::size_t first, std::span<SinglePointSet::Point> corners) {
+      distinct.insert(corners, numbers);
+      for (std::size_t i = 0; i < corners.size(); ++i) {
+        mesh.corners[first + i] = numbers[i].number;
+        if (numbers[i].is_new) mesh.vertices.push_back(widened(corners[i]));
+      }
     });
   }
 
   void read_all(Mesh& mesh) {
     mesh.vertices.resize(3 * count_);
-    for_each_corner([&](std::size_t corner, const SinglePointSet::Point& p) {
-      mesh.vertices[corner] = widened(p);
-      mesh.corners[corner] = static_cast<std::uint32_t>(corner);
+    for_each_block([&](std::size_t first, std::span<const SinglePointSet::Point> corners) {
+      for (std::size_t i = 0; i < corners.size(); ++i) {
+        mesh.vertices[first + i] = widened(corners[i]);
+        mesh.corners[first + i] = static_cast<std::uint32_t>(first + i);
+      }
     });
   }
 
@@ -86,23 +92,41 @@ class BinaryTriangles {
     return {static_cast<double>(p[0]) + 0.0, static_cast<double>(p[1]) + 0.0, static_cast<double>(p[2]) + 0.0};
   }
 
+  // Calls `visit` with the number of the first corner and the corners of each run of triangles.
   template <class Visitor>
-  void for_each_corner(const Visitor& visit) {
-    for (std::size_t t = 0; t < count_; ++t) {
-      if (t % 8192 == 0) context_.poll();
-      const std::size_t at = header_size + triangle_size * t;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const std::size_t offset = at + 12 + 12 * k;
-        const SinglePointSet::Point p{float_at(bytes_, offset), float_at(bytes_, offset + 4),
-                                      float_at(bytes_, offset + 8)};
-        if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2])) refuse(t, offset, p);
-        visit(3 * t + k, p);
+  void for_each_block(const Visitor& visit) {
+    Corners corners;
+    bool has_attributes = false;
+    for (std::size_t begin = 0; begin < count_; begin += block) {
+      if (begin % 8192 == 0) context_.poll();
+      const std::size_t end = std::min(count_, begin + block);
+      for (std::size_t t = begin; t < end; ++t) {
+        const char* record = bytes_.data() + header_size + triangle_size * t;
+        for (std::size_t k = 0; k < 3; ++k) {
+          const SinglePointSet::Point p = point_at(record + 12 + 12 * k);
+          if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2])) refuse(t, k, p);
+          corners[3 * (t - begin) + k] = p;
+        }
+        has_attributes |= (record[48] | record[49]) != 0;
       }
-      has_attributes_ = has_attributes_ || bytes_[at + 48] != 0 || bytes_[at + 49] != 0;
+      visit(3 * begin, std::span(corners).first(3 * (end - begin)));
     }
+    has_attributes_ = has_attributes;
   }
 
-  [[noreturn]] void refuse(std::size_t triangle, std::size_t offset, const SinglePointSet::Point& p) const {
+  static SinglePointSet::Point point_at(const char* bytes) {
+    SinglePointSet::Point p;
+    if constexpr (std::endian::native == std::endian::little) {
+      std::memcpy(p.data(), bytes, sizeof p);
+    } else {
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        p[axis] = std::bit_cast<float>(little_endian({bytes + 4 * axis, 4}, 0));
+    }
+    return p;
+  }
+
+  [[noreturn]] void refuse(std::size_t triangle, std::size_t corner, const SinglePointSet::Point& p) const {
+    std::size_t offset = header_size + triangle_size * triangle + 12 + 12 * corner;
     for (const float x : p) {
       if (!std::isfinite(x)) break;
       offset += 4;
