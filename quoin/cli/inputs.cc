@@ -5,60 +5,10 @@
 #include <iterator>
 
 #include "quoin/base/error.h"
+#include "quoin/cli/diagnosis.h"
 #include "quoin/io/exact_text.h"
 
 namespace quoin::cli {
-
-namespace {
-
-std::string name_of(std::uint32_t element) {
-  return std::to_string(element);
-}
-std::string name_of(const MeshEdge& edge) {
-  return std::to_string(edge.from) + "-" + std::to_string(edge.to);
-}
-std::string name_of(const FacePair& pair) {
-  return std::to_string(pair.a) + "/" + std::to_string(pair.b);
-}
-
-template <class Element>
-void describe(const Finding<Element>& finding, const std::string& what, std::vector<std::string>& lines) {
-  if (finding.count == 0) return;
-  std::string line = std::to_string(finding.count) + " " + what + ":";
-  const std::size_t shown = std::min<std::size_t>(finding.elements.size(), 8);
-  for (std::size_t i = 0; i < shown; ++i) line += " " + name_of(finding.elements[i]);
-  if (finding.count > shown) line += " ...";
-  lines.push_back(line);
-}
-
-void describe_surface(const MeshDiagnosis& d, std::vector<std::string>& lines) {
-  describe(d.not_finite, "vertices are not finite", lines);
-  describe(d.open_edges, "edges are open", lines);
-  describe(d.misoriented_edges, "edges join faces of opposite orientation", lines);
-  describe(d.crossing_faces, "pairs of faces cross or touch", lines);
-  describe(d.inverted_components, "components are inside out (a face of each)", lines);
-  describe(d.degenerate_faces, "faces are degenerate", lines);
-  describe(d.duplicate_faces, "faces occur twice", lines);
-  describe(d.nonmanifold_edges, "edges have more than two faces (legal)", lines);
-}
-
-}  // namespace
-
-std::vector<std::string> describe(const MeshDiagnosis& d) {
-  std::vector<std::string> lines;
-  describe_surface(d, lines);
-  describe(d.not_planar_faces, "faces are not planar and were triangulated", lines);
-  describe(d.not_simple_faces, "faces cross themselves and were triangulated as fans", lines);
-  return lines;
-}
-
-std::vector<std::string> describe_boundary(const MeshDiagnosis& d) {
-  std::vector<std::string> lines;
-  describe_surface(d, lines);
-  describe(d.not_planar_faces, "faces have no plane or a vertex off it", lines);
-  describe(d.not_simple_faces, "faces have loops that bound no polygon", lines);
-  return lines;
-}
 
 Mesh load_mesh(const std::string& name, const Options& options, std::vector<std::string>& warnings,
                const Context& context) {
@@ -86,6 +36,7 @@ std::shared_ptr<const Leaf> accept(const std::string& name, const LeafResult& re
     throw InputError(message);
   }
   for (const std::string& line : findings) warnings.push_back(name + ": " + line);
+  if (result.leaf->tiles.empty()) warnings.push_back(name + ": " + no_faces);
   return result.leaf;
 }
 

@@ -32,10 +32,4 @@ std::shared_ptr<const Brep> load_boundary(const std::string& name, const Options
 
 void print_warnings(const std::vector<std::string>& warnings, const Options& options);
 
-/// One line per kind of finding, with the first elements.
-std::vector<std::string> describe(const MeshDiagnosis& diagnosis);
-
-/// The same of an exact boundary, whose faces are not mended.
-std::vector<std::string> describe_boundary(const MeshDiagnosis& diagnosis);
-
 }  // namespace quoin::cli

@@ -36,6 +36,7 @@ std::vector<Point3> plain_zeros(const std::vector<Point3>& points) {
 // Duplicates leave edges that are used too often; without such edges there is none.
 void note_duplicates(const Leaf& leaf, std::size_t max_listed, MeshDiagnosis& diagnosis) {
   if (diagnosis.is_closed() && diagnosis.nonmanifold_edges.count == 0) return;
+  std::vector<FacePair> pairs;  // one per pair of tiles
   std::vector<std::pair<Tile, std::uint32_t>> turned;
   for (std::uint32_t t = 0; t < leaf.tiles.size(); ++t) {
     Tile tile = leaf.tiles[t];
@@ -45,9 +46,12 @@ void note_duplicates(const Leaf& leaf, std::size_t max_listed, MeshDiagnosis& di
   std::sort(turned.begin(), turned.end());
   for (std::size_t i = 1; i < turned.size(); ++i) {
     if (turned[i].first == turned[i - 1].first) {
-      note(diagnosis.duplicate_faces, FacePair{turned[i - 1].second, turned[i].second}, max_listed);
+      pairs.push_back({turned[i - 1].second, turned[i].second});
     }
   }
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  for (const FacePair& pair : pairs) note(diagnosis.duplicate_faces, pair, max_listed);
 }
 
 // Coplanar neighbours that do not fold back on each other.
