@@ -7,6 +7,7 @@
 #include <iostream>
 
 #include "quoin/base/error.h"
+#include "quoin/cli/diagnosis.h"
 #include "quoin/cli/expression_parser.h"
 #include "quoin/cli/inputs.h"
 #include "quoin/cli/outputs.h"
@@ -35,7 +36,7 @@ const char* name_of(Rounding rounding, bool accepted) {
 // The report of a command that made a solid, on standard output, or on standard error where the solid itself goes
 // there.
 int report(const Brep& boundary, const OutputReport& output, const std::vector<std::string>& warnings, double seconds,
-           const Options& options, const Context& context) {
+           const Options& options, const Context& context, const Json& details) {
   const bool uses_stdout = std::find(options.outputs.begin(), options.outputs.end(), "-") != options.outputs.end();
   std::ostream& out = uses_stdout ? std::cerr : std::cout;
   Json json;
@@ -48,12 +49,13 @@ int report(const Brep& boundary, const OutputReport& output, const std::vector<s
   if (options.json) {
     json["warnings"] = warnings;
     json["result"] = summarize(boundary, context);
+    json.update(details);
     out << json.dump(2) << "\n";
   } else if (!options.quiet) {
     out << as_text(json);
     if (options.verbose || options.outputs.empty()) out << as_text(summarize(boundary, context));
   }
-  print_warnings(warnings, options);
+  if (!options.json) print_warnings(warnings, options);
   for (const std::string& note : output.notes) std::cerr << "quoin: " << note << "\n";
   if (output.written) return 0;
   std::cerr << "quoin: not written: --accept-rounding takes the file as it is, .qsolid holds the exact solid\n";
@@ -61,23 +63,16 @@ int report(const Brep& boundary, const OutputReport& output, const std::vector<s
 }
 
 int finish(const Brep& boundary, const std::string& title, std::vector<std::string> warnings, Clock::time_point start,
-           const Options& options, const Context& context) {
+           const Options& options, const Context& context, const Json& details = Json::object()) {
   if (boundary.face_count() == 0) {
     warnings.emplace_back(boundary.is_unbounded ? "the result is all of space" : "the result is empty");
   }
   const OutputReport output = write_outputs(boundary, title, options, context);
-  return report(boundary, output, warnings, seconds_since(start), options, context);
+  return report(boundary, output, warnings, seconds_since(start), options, context, details);
 }
 
 std::string stem(const std::string& name) {
   return name == "-" ? "input" : std::filesystem::path(name).stem().string();
-}
-
-Solid load_operand(const std::string& name, const Options& options, std::vector<std::string>& warnings,
-                   const Context& context) {
-  if (is_exact_text(name))
-    throw InputError(name + ": exact text is not read as an operand yet; use the meshes it was made from");
-  return Solid::of_leaf(load_leaf(name, options, warnings, context));
 }
 
 }  // namespace
@@ -138,28 +133,61 @@ int run_info(const Options& options, const Context& context) {
   return 0;
 }
 
+namespace {
+
+// The verdict on one file.
+Json check_file(const std::string& name, const Options& options, const Context& context) {
+  std::vector<std::string> findings;
+  std::vector<std::string> warnings;
+  Json diagnosis;
+  bool valid = false;
+  if (is_exact_text(name)) {
+    const Brep boundary = read_exact_text(read_file(name), name);
+    findings = check_boundary(boundary, 20, context);
+    valid = findings.empty();
+    const LeafResult leaf = make_leaf(boundary, "", {}, context);
+    diagnosis = as_json(leaf.diagnosis);
+  } else {
+    const LeafResult leaf = make_leaf(load_mesh(name, options, warnings, context), {}, context);
+    findings = describe(leaf.diagnosis);
+    diagnosis = as_json(leaf.diagnosis);
+    valid = leaf.leaf != nullptr && leaf.diagnosis.crossing_faces.count == 0 &&
+            leaf.diagnosis.inverted_components.count == 0;
+    if (leaf.leaf && leaf.leaf->tiles.empty()) findings.push_back(no_faces);
+  }
+  if (!options.json) print_warnings(warnings, options);
+  return {{"file", name}, {"valid", valid}, {"findings", findings}, {"diagnosis", diagnosis}, {"warnings", warnings}};
+}
+
+constexpr std::size_t listed_faces = 100;
+
+// What a repair did, in faces of the file.
+Json as_json(const std::vector<RepairChange>& changes) {
+  Json json = Json::array();
+  for (const RepairChange& change : changes) {
+    const std::size_t listed = std::min(listed_faces, change.faces.size());
+    json.push_back({{"change", change.what},
+                    {"count", change.faces.size()},
+                    {"faces", std::vector<std::uint32_t>(change.faces.begin(),
+                                                         change.faces.begin() + static_cast<std::ptrdiff_t>(listed))}});
+  }
+  return json;
+}
+
+}  // namespace
+
 int run_check(const Options& options, const Context& context) {
   bool all_valid = true;
   Json all = Json::array();
   for (const std::string& name : options.inputs) {
-    std::vector<std::string> findings;
-    bool valid = false;
-    if (is_exact_text(name)) {
-      findings = check_boundary(read_exact_text(read_file(name), name), 20, context);
-      valid = findings.empty();
-    } else {
-      std::vector<std::string> warnings;
-      const LeafResult leaf = make_leaf(load_mesh(name, options, warnings, context), {}, context);
-      print_warnings(warnings, options);
-      findings = describe(leaf.diagnosis);
-      valid = leaf.leaf != nullptr && leaf.diagnosis.crossing_faces.count == 0 &&
-              leaf.diagnosis.inverted_components.count == 0;
-    }
+    Json one = check_file(name, options, context);
+    const bool valid = one["valid"];
     all_valid = all_valid && valid;
-    all.push_back({{"file", name}, {"valid", valid}, {"findings", findings}});
-    if (options.json) continue;
-    std::cout << name << ": " << (valid ? "a valid solid" : "not a valid solid") << "\n";
-    for (const std::string& finding : findings) std::cout << "  " << finding << "\n";
+    if (!options.json) {
+      std::cout << name << ": " << (valid ? "a valid solid" : "not a valid solid") << "\n";
+      for (const std::string finding : one["findings"]) std::cout << "  " << finding << "\n";
+    }
+    all.push_back(std::move(one));
   }
   if (options.json) std::cout << (all.size() == 1 ? all[0] : all).dump(2) << "\n";
   return all_valid ? 0 : 1;
@@ -167,22 +195,27 @@ int run_check(const Options& options, const Context& context) {
 
 int run_repair(const Options& options, const Context& context) {
   const Clock::time_point start = Clock::now();
+  const std::string& name = options.inputs[0];
   std::vector<std::string> warnings;
-  const Mesh mesh = load_mesh(options.inputs[0], options, warnings, context);
+  const Mesh mesh = load_mesh(name, options, warnings, context);
   const RepairResult repaired = repair_mesh(mesh, context);
-  for (const std::string& change : repaired.changes) warnings.push_back("repaired: " + change);
-  const LeafResult leaf = make_leaf(repaired.mesh, {}, context);
+  for (const RepairChange& change : repaired.changes)
+    warnings.push_back("repaired: " + describe(change.what, change.faces));
+  LeafResult leaf = make_leaf(repaired.mesh, {}, context);
+  rename_faces(leaf.diagnosis, repaired.source_face);
   if (!leaf.leaf) {
-    std::string message = options.inputs[0] + ": cannot be repaired to a solid";
+    std::string message = name + ": cannot be repaired to a solid";
+    for (const std::string& change : warnings) message += "\n  " + change;
     for (const std::string& line : describe(leaf.diagnosis)) message += "\n  " + line;
     throw InputError(message);
   }
-  if (leaf.diagnosis.crossing_faces.count != 0) {
-    warnings.push_back("repaired: " + std::to_string(leaf.diagnosis.crossing_faces.count) +
-                       " pairs of crossing faces, by the points of positive winding number");
-  }
+  const Json details{{"repairs", as_json(repaired.changes)}, {"diagnosis", as_json(leaf.diagnosis)}};
+  if (leaf.diagnosis.crossing_faces.count != 0)
+    warnings.push_back("repaired: faces that cross, by taking the points of positive winding number");
+  for (const std::string& line : describe(leaf.diagnosis)) warnings.push_back(name + ": " + line);
+  if (warnings.empty()) warnings.push_back("there was nothing to repair");
   const Solid result = Solid::from_leaf(leaf.leaf, context);
-  return finish(result.boundary(), stem(options.inputs[0]), std::move(warnings), start, options, context);
+  return finish(result.boundary(), stem(name), std::move(warnings), start, options, context, details);
 }
 
 int run_convert(const Options& options, const Context& context) {

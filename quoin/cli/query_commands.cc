@@ -221,9 +221,8 @@ int run_interfere(const Options& options, const Context& context) {
   std::vector<std::string> warnings;
   std::vector<Solid> solids;
   for (const std::string& name : options.inputs) {
-    if (is_exact_text(name))
-      throw InputError(name + ": exact text is not read as an operand yet; use the meshes it was made from");
-    solids.push_back(Solid::from_leaf(load_leaf(name, options, warnings, context), context));
+    const Solid operand = load_operand(name, options, warnings, context);
+    solids.push_back(Solid::evaluate(Expression::leaf(0), {&operand, 1}, context));
   }
   Json pairs = Json::array();
   for (std::size_t i = 0; i < solids.size(); ++i) {

@@ -133,8 +133,9 @@ class ExactReader {
       brep_.face_planes.push_back({PointId{index(2, points)}, PointId{index(3, points)}, PointId{index(4, points)}});
       const std::size_t loops = count(5);
       const std::size_t origins = count(6);
+      if (loops == 0 || origins == 0) lines_.fail("a face has at least one loop and one origin");
       for (std::size_t o = 0; o < origins; ++o) {
-        brep_.origins.push_back({index(7 + 2 * o, 0xFFFFFFFFU), index(8 + 2 * o, 0xFFFFFFFFU)});
+        brep_.origins.push_back({index(7 + 2 * o, brep_.leaf_names.size()), index(8 + 2 * o, 0xFFFFFFFFU)});
       }
       brep_.face_first_origin.push_back(static_cast<std::uint32_t>(brep_.origins.size()));
       if (has_colors) {
@@ -142,7 +143,7 @@ class ExactReader {
         brep_.face_colors.push_back({channel(0), channel(1), channel(2), channel(3)});
       }
       for (std::size_t l = 0; l < loops; ++l) {
-        expect("loop", 4);
+        expect("loop", 3);  // two vertices are a slit
         for (std::size_t i = 1; i < lines_.words().size(); ++i)
           brep_.loop_vertices.push_back(PointId{index(i, points)});
         brep_.loop_begin.push_back(static_cast<std::uint32_t>(brep_.loop_vertices.size()));

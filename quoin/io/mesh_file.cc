@@ -23,22 +23,51 @@ std::string ending_of(const std::filesystem::path& path) {
   return ending;
 }
 
+// A buffer that is not filled before it is read into.
+struct FileBytes {
+  std::unique_ptr<char[]> data;
+  std::size_t size = 0;
+  std::string_view view() const { return {data.get(), size}; }
+};
+
+FileBytes read_bytes(const std::filesystem::path& path) {
+  const std::string name = path.string();
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) throw FileError(name + ": is a directory");
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(name.c_str(), "rb"), &std::fclose);
+  if (!file) throw FileError(name + ": cannot be opened: " + std::strerror(errno));
+  const auto expected = std::filesystem::file_size(path, error);
+  std::size_t capacity = error ? 65536 : static_cast<std::size_t>(expected) + 1;  // one more, to meet the end
+  FileBytes bytes{std::make_unique_for_overwrite<char[]>(capacity)};
+  for (;;) {
+    const std::size_t read = std::fread(bytes.data.get() + bytes.size, 1, capacity - bytes.size, file.get());
+    bytes.size += read;
+    if (bytes.size < capacity) break;
+    auto larger = std::make_unique_for_overwrite<char[]>(2 * capacity);
+    std::memcpy(larger.get(), bytes.data.get(), bytes.size);
+    bytes.data = std::move(larger);
+    capacity *= 2;
+  }
+  if (std::ferror(file.get()) != 0) throw FileError(name + ": cannot be read: " + std::strerror(errno));
+  return bytes;
+}
+
 std::string_view first_word(std::string_view bytes) {
   if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
   const std::size_t begin = std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size());
   return bytes.substr(begin, bytes.find_first_of(" \t\r\n", begin) - begin);
 }
 
-MeshFile read_by_content(std::string_view bytes, const std::string& name, const Context& context) {
+MeshFile read_by_content(std::string_view bytes, const std::string& name, bool weld, const Context& context) {
   if (bytes.empty()) throw InputError(name + ": the file is empty");
   const std::string ending = ending_of(name);
   const std::string_view word = first_word(bytes);
   if (word == "ply") return io::read_ply(bytes, name, context);
-  if (io::is_stl_binary(bytes)) return io::read_stl_binary(bytes, name, context);
+  if (io::is_stl_binary(bytes)) return io::read_stl_binary(bytes, name, weld, context);
   if (word.ends_with("OFF") && word.size() <= 7) return io::read_off(bytes, name, context);
   if (ending == ".stl") {
     return word == "solid" || word == "facet" ? io::read_stl_text(bytes, name, context)
-                                              : io::read_stl_binary(bytes, name, context);
+                                              : io::read_stl_binary(bytes, name, weld, context);
   }
   if (ending == ".ply") throw InputError(name + ":1: 'ply' should stand here");
   if (ending == ".off") return io::read_off(bytes, name, context);
@@ -61,38 +90,28 @@ std::optional<MeshFormat> format_from_path(const std::filesystem::path& path) {
 }
 
 std::string read_file(const std::filesystem::path& path) {
-  const std::string name = path.string();
-  std::error_code error;
-  if (std::filesystem::is_directory(path, error)) throw FileError(name + ": is a directory");
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(name.c_str(), "rb"), &std::fclose);
-  if (!file) throw FileError(name + ": cannot be opened: " + std::strerror(errno));
-  std::string bytes;
-  const auto size = std::filesystem::file_size(path, error);
-  if (!error) bytes.reserve(size);
-  std::size_t read = 0;
-  do {
-    const std::size_t before = bytes.size();
-    const std::size_t want = std::max<std::size_t>(bytes.capacity() - before, 65536);
-    bytes.resize(before + want);
-    read = std::fread(bytes.data() + before, 1, want, file.get());
-    bytes.resize(before + read);
-  } while (read != 0);
-  if (std::ferror(file.get()) != 0) throw FileError(name + ": cannot be read: " + std::strerror(errno));
-  return bytes;
+  const FileBytes bytes = read_bytes(path);
+  return std::string(bytes.view());
 }
 
 MeshFile read_mesh(std::string_view bytes, const std::string& name, const ReadOptions& options,
                    const Context& context) {
   context.progress("reading", 0);
-  MeshFile file = read_by_content(bytes, name, context);
-  file.report.vertices_in_file = file.mesh.vertices.size();
+  ReadOptions open = options;
+  MeshFile file = read_by_content(bytes, name, options.weld || options.weld_tolerance, context);
+  if (file.report.format == MeshFormat::stl_binary) {
+    open.weld = false;  // done
+  } else {
+    file.report.vertices_in_file = file.mesh.vertices.size();
+  }
   if (file.mesh.name.empty()) file.mesh.name = std::filesystem::path(name).stem().string();
-  io::weld(file.mesh, options, file.report, context);
+  io::weld(file.mesh, open, file.report, context);
   return file;
 }
 
 MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options, const Context& context) {
-  return read_mesh(read_file(path), path.string(), options, context);
+  const FileBytes bytes = read_bytes(path);
+  return read_mesh(bytes.view(), path.string(), options, context);
 }
 
 }  // namespace quoin

@@ -9,11 +9,13 @@
 
 namespace quoin::io {
 
-/// One reader per format. Each leaves vertices as the file has them, not welded. @throws InputError
+/// One reader per format. Each leaves vertices as the file has them, not welded, and `vertices_in_file` to its caller;
+/// that of binary STL, where every triangle brings its own vertices, welds equal ones on the way if asked and fills the
+/// report's counts. @throws InputError
 MeshFile read_off(std::string_view bytes, const std::string& name, const Context& context);
 MeshFile read_obj(std::string_view bytes, const std::string& name, const Context& context);
 MeshFile read_stl_text(std::string_view bytes, const std::string& name, const Context& context);
-MeshFile read_stl_binary(std::string_view bytes, const std::string& name, const Context& context);
+MeshFile read_stl_binary(std::string_view bytes, const std::string& name, bool weld, const Context& context);
 MeshFile read_ply(std::string_view bytes, const std::string& name, const Context& context);
 
 /// A binary STL file has just the size that its count of triangles asks for.

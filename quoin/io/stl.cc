@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <cstring>
+#include <span>
 
 #include "quoin/io/readers.h"
+#include "quoin/io/single_point_set.h"
 #include "quoin/io/text_lines.h"
 
 namespace quoin::io {
@@ -17,13 +22,6 @@ std::uint32_t little_endian(std::string_view bytes, std::size_t at) {
     return static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[at + k]));
   };
   return byte(0) | byte(1) << 8 | byte(2) << 16 | byte(3) << 24;
-}
-
-float float_at(std::string_view bytes, std::size_t at) {
-  const std::uint32_t bits = little_endian(bytes, at);
-  float value = 0;
-  std::memcpy(&value, &bits, sizeof value);
-  return value;
 }
 
 void expect_words(TextLines& lines, std::string_view first, std::string_view second) {
@@ -41,7 +39,112 @@ bool is_stl_binary(std::string_view bytes) {
          bytes.size() == header_size + triangle_size * std::uint64_t{little_endian(bytes, 80)};
 }
 
-MeshFile read_stl_binary(std::string_view bytes, const std::string& name, const Context& context) {
+namespace {
+
+// The records of a binary file whose size fits its count; vertices as the file has them, or each distinct one once.
+class BinaryTriangles {
+ public:
+  BinaryTriangles(std::string_view bytes, const std::string& name, std::size_t count, const Context& context)
+      : bytes_(bytes), name_(name), count_(count), context_(context) {}
+
+  void read(Mesh& mesh, bool weld) {
+    mesh.corners.resize(3 * count_);
+    mesh.face_begin.resize(count_ + 1);
+    for (std::size_t t = 0; t < count_; ++t) mesh.face_begin[t + 1] = 3 * (t + 1);
+    if (weld) {
+      read_welded(mesh);
+    } else {
+      read_all(mesh);
+    }
+  }
+
+  bool has_attributes() const { return has_attributes_; }
+
+ private:
+  static constexpr std::size_t block = 16;  // triangles
+
+  using Corners = std::array<SinglePointSet::Point, 3 * block>;
+
+  void read_welded(Mesh& mesh) {
+    SinglePointSet distinct(count_ / 2);  // a closed mesh of n triangles has about n / 2 vertices
+    mesh.vertices.reserve(count_ / 2 + 2);
+    std::array<SinglePointSet::Inserted, 3 * block> numbers;
+    for_each_block([&](std::size_t first, std::span<SinglePointSet::Point> corners) {
+      distinct.insert(corners, numbers);
+      for (std::size_t i = 0; i < corners.size(); ++i) {
+        mesh.corners[first + i] = numbers[i].number;
+        if (numbers[i].is_new) mesh.vertices.push_back(widened(corners[i]));
+      }
+    });
+  }
+
+  void read_all(Mesh& mesh) {
+    mesh.vertices.resize(3 * count_);
+    for_each_block([&](std::size_t first, std::span<const SinglePointSet::Point> corners) {
+      for (std::size_t i = 0; i < corners.size(); ++i) {
+        mesh.vertices[first + i] = widened(corners[i]);
+        mesh.corners[first + i] = static_cast<std::uint32_t>(first + i);
+      }
+    });
+  }
+
+  static Point3 widened(const SinglePointSet::Point& p) {
+    return {static_cast<double>(p[0]) + 0.0, static_cast<double>(p[1]) + 0.0, static_cast<double>(p[2]) + 0.0};
+  }
+
+  // Calls `visit` with the number of the first corner and the corners of each run of triangles.
+  template <class Visitor>
+  void for_each_block(const Visitor& visit) {
+    Corners corners;
+    bool has_attributes = false;
+    for (std::size_t begin = 0; begin < count_; begin += block) {
+      if (begin % 8192 == 0) context_.poll();
+      const std::size_t end = std::min(count_, begin + block);
+      for (std::size_t t = begin; t < end; ++t) {
+        const char* record = bytes_.data() + header_size + triangle_size * t;
+        for (std::size_t k = 0; k < 3; ++k) {
+          const SinglePointSet::Point p = point_at(record + 12 + 12 * k);
+          if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2])) refuse(t, k, p);
+          corners[3 * (t - begin) + k] = p;
+        }
+        has_attributes |= (record[48] | record[49]) != 0;
+      }
+      visit(3 * begin, std::span(corners).first(3 * (end - begin)));
+    }
+    has_attributes_ = has_attributes;
+  }
+
+  static SinglePointSet::Point point_at(const char* bytes) {
+    SinglePointSet::Point p;
+    if constexpr (std::endian::native == std::endian::little) {
+      std::memcpy(p.data(), bytes, sizeof p);
+    } else {
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        p[axis] = std::bit_cast<float>(little_endian({bytes + 4 * axis, 4}, 0));
+    }
+    return p;
+  }
+
+  [[noreturn]] void refuse(std::size_t triangle, std::size_t corner, const SinglePointSet::Point& p) const {
+    std::size_t offset = header_size + triangle_size * triangle + 12 + 12 * corner;
+    for (const float x : p) {
+      if (!std::isfinite(x)) break;
+      offset += 4;
+    }
+    throw InputError(name_ + ": byte " + std::to_string(offset) + ": triangle " + std::to_string(triangle) +
+                     " has a coordinate that is not finite");
+  }
+
+  std::string_view bytes_;
+  const std::string& name_;
+  std::size_t count_;
+  const Context& context_;
+  bool has_attributes_ = false;
+};
+
+}  // namespace
+
+MeshFile read_stl_binary(std::string_view bytes, const std::string& name, bool weld, const Context& context) {
   if (bytes.size() < header_size) {
     throw InputError(name + ": byte " + std::to_string(bytes.size()) +
                      ": the file ends within the header of a binary STL");
@@ -52,38 +155,18 @@ MeshFile read_stl_binary(std::string_view bytes, const std::string& name, const 
     throw InputError(name + ": byte " + std::to_string(bytes.size()) + ": the file ends within triangle " +
                      std::to_string(held) + " of " + std::to_string(count));
   }
+  if (count > 0xFFFFFFFFU / 3) throw InputError(name + ": more than 1.4 thousand million triangles");
   MeshFile file;
   file.report.format = MeshFormat::stl_binary;
   if (bytes.size() != header_size + count * triangle_size) {
     file.report.warnings.push_back(std::to_string(bytes.size() - header_size - count * triangle_size) +
                                    " bytes behind the last triangle are not kept");
   }
-  Mesh& mesh = file.mesh;
-  mesh.vertices.resize(3 * count);
-  mesh.corners.resize(3 * count);
-  mesh.face_begin.resize(count + 1);
-  bool has_attributes = false;
-  for (std::size_t t = 0; t < count; ++t) {
-    if (t % 8192 == 0) context.poll();
-    const std::size_t at = header_size + triangle_size * t;
-    for (std::size_t k = 0; k < 3; ++k) {
-      Point3 p;
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        const std::size_t offset = at + 12 + 12 * k + 4 * axis;
-        const float value = float_at(bytes, offset);
-        if (!std::isfinite(value)) {
-          throw InputError(name + ": byte " + std::to_string(offset) + ": triangle " + std::to_string(t) +
-                           " has a coordinate that is not finite");
-        }
-        p[axis] = static_cast<double>(value) + 0.0;
-      }
-      mesh.vertices[3 * t + k] = p;
-      mesh.corners[3 * t + k] = static_cast<std::uint32_t>(3 * t + k);
-    }
-    mesh.face_begin[t + 1] = 3 * (t + 1);
-    has_attributes = has_attributes || bytes[at + 48] != 0 || bytes[at + 49] != 0;
-  }
-  if (has_attributes) file.report.warnings.push_back("the attribute bytes of the triangles are not kept");
+  BinaryTriangles triangles(bytes, name, count, context);
+  triangles.read(file.mesh, weld);
+  file.report.vertices_in_file = 3 * count;
+  file.report.welded = 3 * count - file.mesh.vertices.size();
+  if (triangles.has_attributes()) file.report.warnings.push_back("the attribute bytes of the triangles are not kept");
   return file;
 }
 

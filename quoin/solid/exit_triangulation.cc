@@ -50,11 +50,14 @@ class FaceTriangulator {
   }
 
  private:
-  // A triangle needs no projection where no vertex has moved: its area is not zero.
+  // A triangle needs no projection where no vertex has moved from where it is exactly: its area is not zero.
   bool add_triangle(std::uint32_t face, std::span<const PointId> loop) {
     const std::size_t explicit_count = boundary_.points.explicit_count();
     for (const PointId p : loop) {
-      if (p.value >= explicit_count || positions_[p.value] != boundary_.points.rounded(p)) return false;
+      if (p.value >= explicit_count || positions_[p.value] != boundary_.points.rounded(p) ||
+          !boundary_.points.is_exact(p)) {
+        return false;
+      }
     }
     out_.triangles.push_back({loop[0].value, loop[1].value, loop[2].value});
     out_.triangle_face.push_back(face);

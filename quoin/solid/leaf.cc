@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "quoin/base/parallel.h"
+#include "quoin/solid/brep.h"
 #include "quoin/solid/leaf_crossings.h"
+#include "quoin/solid/leaf_faces.h"
 #include "quoin/solid/leaf_tiles.h"
 #include "quoin/solid/leaf_twins.h"
 
@@ -13,9 +16,9 @@ namespace quoin {
 
 namespace {
 
-bool note_not_finite(const Mesh& mesh, std::size_t max_listed, MeshDiagnosis& diagnosis) {
-  for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
-    const Point3& p = mesh.vertices[v];
+bool note_not_finite(std::span<const Point3> vertices, std::size_t max_listed, MeshDiagnosis& diagnosis) {
+  for (std::uint32_t v = 0; v < vertices.size(); ++v) {
+    const Point3& p = vertices[v];
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) note(diagnosis.not_finite, v, max_listed);
   }
   return diagnosis.not_finite.count != 0;
@@ -33,6 +36,7 @@ std::vector<Point3> plain_zeros(const std::vector<Point3>& points) {
 // Duplicates leave edges that are used too often; without such edges there is none.
 void note_duplicates(const Leaf& leaf, std::size_t max_listed, MeshDiagnosis& diagnosis) {
   if (diagnosis.is_closed() && diagnosis.nonmanifold_edges.count == 0) return;
+  std::vector<FacePair> pairs;  // one per pair of tiles
   std::vector<std::pair<Tile, std::uint32_t>> turned;
   for (std::uint32_t t = 0; t < leaf.tiles.size(); ++t) {
     Tile tile = leaf.tiles[t];
@@ -42,9 +46,12 @@ void note_duplicates(const Leaf& leaf, std::size_t max_listed, MeshDiagnosis& di
   std::sort(turned.begin(), turned.end());
   for (std::size_t i = 1; i < turned.size(); ++i) {
     if (turned[i].first == turned[i - 1].first) {
-      note(diagnosis.duplicate_faces, FacePair{turned[i - 1].second, turned[i].second}, max_listed);
+      pairs.push_back({turned[i - 1].second, turned[i].second});
     }
   }
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  for (const FacePair& pair : pairs) note(diagnosis.duplicate_faces, pair, max_listed);
 }
 
 // Coplanar neighbours that do not fold back on each other.
@@ -74,11 +81,26 @@ void mark_flat_edges(Leaf& leaf, const Constructions& points, const Context& con
   });
 }
 
+// All but tiles and vertices.
+LeafResult finish(const std::shared_ptr<Leaf>& leaf, const Constructions& points, LeafResult result,
+                  const LeafOptions& options, const Context& context) {
+  match_twins(*leaf, options.max_listed, result.diagnosis, context);
+  note_duplicates(*leaf, options.max_listed, result.diagnosis);
+  mark_flat_edges(*leaf, points, context);
+  leaf->tree = BoxTree(leaf->vertices, leaf->tiles, context);
+  leaf->crosses_itself = true;
+  if (options.find_crossings) find_self_crossings(*leaf, points, options.max_listed, result.diagnosis, context);
+  if (!result.diagnosis.is_closed()) return result;
+  if (!leaf->crosses_itself) find_inverted_components(leaf, options.max_listed, result.diagnosis, context);
+  result.leaf = leaf;
+  return result;
+}
+
 }  // namespace
 
 LeafResult make_leaf(const Mesh& mesh, const LeafOptions& options, const Context& context) {
   LeafResult result;
-  if (note_not_finite(mesh, options.max_listed, result.diagnosis)) return result;
+  if (note_not_finite(mesh.vertices, options.max_listed, result.diagnosis)) return result;
   auto leaf = std::make_shared<Leaf>();
   leaf->vertices = plain_zeros(mesh.vertices);
   leaf->name = mesh.name;
@@ -88,16 +110,25 @@ LeafResult make_leaf(const Mesh& mesh, const LeafOptions& options, const Context
   MeshTiles tiles = make_tiles(mesh, points, options.max_listed, result.diagnosis, context);
   leaf->tiles = std::move(tiles.tiles);
   leaf->tile_face = std::move(tiles.tile_face);
-  match_twins(*leaf, options.max_listed, result.diagnosis, context);
-  note_duplicates(*leaf, options.max_listed, result.diagnosis);
-  mark_flat_edges(*leaf, points, context);
-  leaf->tree = BoxTree(leaf->vertices, leaf->tiles, context);
-  leaf->crosses_itself = true;
-  if (options.find_crossings) find_self_crossings(*leaf, points, options.max_listed, result.diagnosis, context);
-  if (!result.diagnosis.is_closed()) return result;
-  if (!leaf->crosses_itself) find_inverted_components(leaf, options.max_listed, result.diagnosis, context);
-  result.leaf = std::move(leaf);
-  return result;
+  return finish(leaf, points, std::move(result), options, context);
+}
+
+LeafResult make_leaf(const Brep& boundary, const std::string& name, const LeafOptions& options,
+                     const Context& context) {
+  LeafResult result;
+  auto leaf = std::make_shared<Leaf>();
+  leaf->exact_vertices = exact_points(boundary.points, context);
+  const Constructions points(leaf->exact_vertices);
+  for (std::size_t v = 0; v < points.point_count(); ++v) leaf->vertices.push_back(points.rounded(PointId{v}));
+  if (note_not_finite(leaf->vertices, options.max_listed, result.diagnosis)) return result;
+  leaf->name = name;
+  leaf->face_colors = boundary.face_colors;
+  context.progress("faces", 0);
+  MeshTiles tiles = make_tiles(boundary, points, options.max_listed, result.diagnosis, context);
+  if (result.diagnosis.not_planar_faces.count + result.diagnosis.not_simple_faces.count != 0) return result;
+  leaf->tiles = std::move(tiles.tiles);
+  leaf->tile_face = std::move(tiles.tile_face);
+  return finish(leaf, points, std::move(result), options, context);
 }
 
 }  // namespace quoin

@@ -7,10 +7,13 @@
 #include <vector>
 
 #include "quoin/base/context.h"
+#include "quoin/kernel/rational_point.h"
 #include "quoin/solid/box_tree.h"
 #include "quoin/solid/mesh.h"
 
 namespace quoin {
+
+struct Brep;
 
 /// One finding about a mesh, with the elements it concerns (at most `max_listed` of them; `count` is the full number).
 template <class Element>
@@ -56,6 +59,7 @@ struct MeshDiagnosis {
 /// exactly).
 struct Leaf {
   std::vector<Point3> vertices;
+  std::vector<RationalPoint3> exact_vertices;  ///< empty, or the points whose nearest doubles `vertices` are
   std::vector<Tile> tiles;
   std::vector<std::uint32_t> tile_face;  ///< face of the mesh it stems from
   /// Halfedge 3t+k runs from tiles[t][k] to tiles[t][(k+1)%3]. Its opposite one where exactly two tiles meet with
@@ -87,5 +91,12 @@ struct LeafResult {
 /// leaves a vertex on a longer edge of its neighbour (a sliver of zero area), the neighbour's edge is split there, so
 /// that the rest stays closed. O(n log n). @throws Cancelled through `context`.
 LeafResult make_leaf(const Mesh& mesh, const LeafOptions& options, const Context& context);
+
+/// The same of an exact boundary, over rational points: faces are triangulated exactly, and indices in the diagnosis
+/// are those of the boundary's faces and points. Of an unbounded set it is the leaf of the complement.
+///
+/// Equal points become one; edges that a face passes in both directions (slits) go. There is no leaf either where a
+/// face's loops do not bound a polygon in its plane. O(n log n) rational operations at worst.
+LeafResult make_leaf(const Brep& boundary, const std::string& name, const LeafOptions& options, const Context& context);
 
 }  // namespace quoin

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "quoin/solid/leaf_tiles.h"
 
@@ -136,11 +138,26 @@ class TwinMatcher {
       leaf_.twins[uses[0].halfedge] = uses[1].halfedge;
       leaf_.twins[uses[1].halfedge] = uses[0].halfedge;
     } else if (forward == backward) {
-      note(diagnosis_.nonmanifold_edges, edge, max_listed_);
+      if (!is_inside_faces(uses, smaller)) note(diagnosis_.nonmanifold_edges, edge, max_listed_);
     } else {
       const MeshEdge excess = forward > backward ? edge : MeshEdge{edge.to, edge.from};
       note(uses.size() == 2 ? diagnosis_.misoriented_edges : diagnosis_.open_edges, excess, max_listed_);
     }
+  }
+
+  // Whether each face that uses the edge does so in both directions: a diagonal of polygons that lie on each other.
+  bool is_inside_faces(std::span<const Entry> uses, std::uint32_t smaller) const {
+    std::vector<std::pair<std::uint32_t, int>> turns;  // face, direction
+    for (const Entry& e : uses)
+      turns.push_back({leaf_.tile_face[e.halfedge / 3], tail(e.halfedge) == smaller ? 1 : -1});
+    std::sort(turns.begin(), turns.end());
+    int balance = 0;
+    for (std::size_t i = 0; i < turns.size(); ++i) {
+      balance += turns[i].second;
+      const bool is_last = i + 1 == turns.size() || turns[i + 1].first != turns[i].first;
+      if (is_last && balance != 0) return false;
+    }
+    return true;
   }
 
   Leaf& leaf_;

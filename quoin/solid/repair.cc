@@ -2,12 +2,15 @@
 #include "quoin/solid/repair.h"
 
 #include <algorithm>
-#include <map>
-#include <set>
+#include <span>
+#include <string>
+#include <utility>
 
 #include "quoin/base/disjoint_sets.h"
+#include "quoin/base/error.h"
 #include "quoin/solid/leaf.h"
 #include "quoin/solid/overlay/winding.h"
+#include "quoin/solid/repair_duplicates.h"
 
 namespace quoin {
 
@@ -18,51 +21,94 @@ class MeshRepair {
   MeshRepair(const Mesh& mesh, const Context& context) : mesh_(mesh), context_(context) {}
 
   RepairResult run() {
-    drop_faces();
+    drop_degenerate_faces();
+    drop_superfluous_faces();
     context_.poll();
+    gather_edges();
     link_faces();
     agree_with_neighbours();
+    join_open_components();
     face_outward();
-    report("degenerate faces dropped", degenerate_);
-    report("duplicate faces dropped", duplicate_);
-    std::size_t turned = 0;
-    for (std::size_t f = 0; f < faces_.size(); ++f) {
-      if (reversed_[f]) {
-        ++turned;
-        std::reverse(faces_[f].begin(), faces_[f].end());
-      }
-    }
-    report("faces turned over", turned);
+    turn_faces();
     write_back();
     return std::move(result_);
   }
 
  private:
-  void report(const std::string& what, std::size_t count) {
-    if (count != 0) result_.changes.push_back(std::to_string(count) + " " + what);
+  void report(const std::string& what, std::vector<std::uint32_t> faces) {
+    if (!faces.empty()) result_.changes.push_back({what, std::move(faces)});
   }
 
-  // Repeated corners go; two faces with the same set of corners are duplicates, however they are turned.
-  void drop_faces() {
-    std::set<std::vector<std::uint32_t>> seen;
-    for (std::size_t f = 0; f < mesh_.face_count(); ++f) {
+  void drop_degenerate_faces() {
+    std::vector<std::uint32_t> degenerate;
+    for (std::uint32_t f = 0; f < mesh_.face_count(); ++f) {
       std::vector<std::uint32_t> corners;
       for (const std::uint32_t v : mesh_.face(f)) {
+        if (v >= mesh_.vertices.size())
+          throw InputError("face " + std::to_string(f) + ": vertex " + std::to_string(v) + " is not there");
         if (corners.empty() || corners.back() != v) corners.push_back(v);
       }
       while (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
       if (corners.size() < 3) {
-        ++degenerate_;
-        continue;
-      }
-      std::vector<std::uint32_t> key = corners;
-      std::sort(key.begin(), key.end());
-      if (!seen.insert(key).second) {
-        ++duplicate_;
+        degenerate.push_back(f);
         continue;
       }
       faces_.push_back(std::move(corners));
       source_.push_back(f);
+    }
+    report("degenerate faces dropped", std::move(degenerate));
+  }
+
+  void drop_superfluous_faces() {
+    const SuperfluousFaces superfluous = find_superfluous_faces(faces_, context_);
+    report("duplicate faces dropped", sources(superfluous.duplicates));
+    report("faces dropped that lie back to back", sources(superfluous.balanced));
+    std::vector<bool> gone(faces_.size(), false);
+    for (const std::uint32_t f : superfluous.duplicates) gone[f] = true;
+    for (const std::uint32_t f : superfluous.balanced) gone[f] = true;
+    std::size_t kept = 0;
+    for (std::size_t f = 0; f < faces_.size(); ++f) {
+      if (gone[f]) continue;
+      if (kept != f) faces_[kept] = std::move(faces_[f]);
+      source_[kept++] = source_[f];
+    }
+    faces_.resize(kept);
+    source_.resize(kept);
+  }
+
+  std::vector<std::uint32_t> sources(std::span<const std::uint32_t> faces) const {
+    std::vector<std::uint32_t> result;
+    for (const std::uint32_t f : faces) result.push_back(source_[f]);
+    return result;
+  }
+
+  // A face at an edge, the edge by its vertices in ascending order.
+  struct Use {
+    std::uint32_t a;
+    std::uint32_t b;
+    std::uint32_t face;
+    bool forward;
+  };
+
+  void gather_edges() {
+    for (std::uint32_t f = 0; f < faces_.size(); ++f) {
+      const auto& corners = faces_[f];
+      for (std::size_t i = 0; i < corners.size(); ++i) {
+        const std::uint32_t a = corners[i];
+        const std::uint32_t b = corners[i + 1 == corners.size() ? 0 : i + 1];
+        uses_.push_back({std::min(a, b), std::max(a, b), f, a < b});
+      }
+    }
+    std::sort(uses_.begin(), uses_.end(), [](const Use& x, const Use& y) {
+      return x.a != y.a ? x.a < y.a : x.b != y.b ? x.b < y.b : x.face < y.face;
+    });
+  }
+
+  template <class Visitor>
+  void for_each_edge(const Visitor& visit) const {
+    for (std::size_t begin = 0, end = 0; begin < uses_.size(); begin = end) {
+      while (end < uses_.size() && uses_[end].a == uses_[begin].a && uses_[end].b == uses_[begin].b) ++end;
+      visit(std::span(uses_).subspan(begin, end - begin));
     }
   }
 
@@ -72,88 +118,142 @@ class MeshRepair {
   };
 
   void link_faces() {
-    struct Use {
-      std::uint32_t face;
-      bool forward;
-    };
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<Use>> uses;
-    for (std::uint32_t f = 0; f < faces_.size(); ++f) {
-      const auto& corners = faces_[f];
-      for (std::size_t i = 0; i < corners.size(); ++i) {
-        const std::uint32_t a = corners[i];
-        const std::uint32_t b = corners[i + 1 == corners.size() ? 0 : i + 1];
-        uses[{std::min(a, b), std::max(a, b)}].push_back({f, a < b});
-      }
-    }
     neighbours_.resize(faces_.size());
-    for (const auto& [edge, at] : uses) {
-      if (at.size() != 2) continue;
+    for_each_edge([&](std::span<const Use> at) {
+      if (at.size() != 2) return;
       const bool agrees = at[0].forward != at[1].forward;
       neighbours_[at[0].face].push_back({at[1].face, agrees});
       neighbours_[at[1].face].push_back({at[0].face, agrees});
-    }
+    });
   }
 
   void agree_with_neighbours() {
     reversed_.assign(faces_.size(), false);
     component_.assign(faces_.size(), overlay::none);
-    std::vector<std::uint32_t> stack;
+    std::vector<std::uint32_t> members;
     for (std::uint32_t seed = 0; seed < faces_.size(); ++seed) {
       if (component_[seed] != overlay::none) continue;
       component_[seed] = component_count_;
-      stack.assign(1, seed);
-      while (!stack.empty()) {
-        const std::uint32_t f = stack.back();
-        stack.pop_back();
+      members.assign(1, seed);
+      std::size_t turned = 0;
+      for (std::size_t i = 0; i < members.size(); ++i) {
+        const std::uint32_t f = members[i];
+        turned += reversed_[f] ? 1 : 0;
         for (const Neighbour& n : neighbours_[f]) {
           if (component_[n.face] != overlay::none) continue;
           component_[n.face] = component_count_;
           reversed_[n.face] = reversed_[f] != !n.agrees;
-          stack.push_back(n.face);
+          members.push_back(n.face);
         }
+      }
+      if (2 * turned > members.size()) {
+        for (const std::uint32_t f : members) reversed_[f] = !reversed_[f];
       }
       ++component_count_;
     }
   }
 
-  // Each component alone is a leaf; its winding in front of a face tells whether it is inside out, and how many others
-  // lie around it tells whether it should be.
-  void face_outward() {
-    std::vector<std::shared_ptr<const Leaf>> leaves(component_count_);
-    for (std::uint32_t c = 0; c < component_count_; ++c) {
-      Mesh part;
-      part.vertices = mesh_.vertices;
-      for (std::uint32_t f = 0; f < faces_.size(); ++f) {
-        if (component_[f] != c) continue;
-        std::vector<std::uint32_t> corners = faces_[f];
-        if (reversed_[f]) std::reverse(corners.begin(), corners.end());
-        part.add_face(corners);
+  // Components that do not close by themselves and meet in edges of more than two faces become one.
+  void join_open_components() {
+    std::vector<bool> is_open(component_count_, false);
+    std::vector<int> balance(component_count_, 0);
+    for_each_edge([&](std::span<const Use> at) {
+      for (const Use& use : at) balance[component_[use.face]] += use.forward != reversed_[use.face] ? 1 : -1;
+      for (const Use& use : at) {
+        int& sum = balance[component_[use.face]];
+        if (sum != 0) is_open[component_[use.face]] = true;
+        sum = 0;
       }
-      leaves[c] = make_leaf(part, {.max_listed = 0, .find_crossings = false}, context_).leaf;
-      if (!leaves[c] || leaves[c]->tiles.empty()) return;  // open: no side is outside
+    });
+    DisjointSets joined(component_count_);
+    for_each_edge([&](std::span<const Use> at) {
+      std::uint32_t first = overlay::none;
+      for (const Use& use : at) {
+        const std::uint32_t c = component_[use.face];
+        if (!is_open[c]) continue;
+        if (first == overlay::none) first = c;
+        joined.unite(first, c);
+      }
+    });
+    std::vector<std::uint32_t> number(component_count_, overlay::none);
+    std::uint32_t count = 0;
+    for (std::uint32_t& c : component_) {
+      std::uint32_t& n = number[joined.find(c)];
+      if (n == overlay::none) n = count++;
+      c = n;
+    }
+    component_count_ = count;
+  }
+
+  std::vector<std::vector<std::uint32_t>> faces_by_component() const {
+    std::vector<std::vector<std::uint32_t>> result(component_count_);
+    for (std::uint32_t f = 0; f < faces_.size(); ++f) result[component_[f]].push_back(f);
+    return result;
+  }
+
+  Mesh part(std::span<const std::uint32_t> faces, std::vector<std::uint32_t>& number) const {
+    Mesh result;
+    std::vector<std::uint32_t> corners;
+    for (const std::uint32_t f : faces) {
+      corners.clear();
+      for (const std::uint32_t v : faces_[f]) {
+        if (number[v] == overlay::none) {
+          number[v] = static_cast<std::uint32_t>(result.vertices.size());
+          result.vertices.push_back(mesh_.vertices[v]);
+        }
+        corners.push_back(number[v]);
+      }
+      if (reversed_[f]) std::reverse(corners.begin(), corners.end());
+      result.add_face(corners);
+    }
+    for (const std::uint32_t f : faces) {
+      for (const std::uint32_t v : faces_[f]) number[v] = overlay::none;
+    }
+    return result;
+  }
+
+  // Each closed component alone is a leaf; its winding in front of a face tells whether it is inside out, and how many
+  // others lie around it tells whether it should be.
+  void face_outward() {
+    const std::vector<std::vector<std::uint32_t>> members = faces_by_component();
+    std::vector<std::shared_ptr<const Leaf>> leaves;
+    std::vector<std::uint32_t> component_of_leaf;
+    std::vector<std::uint32_t> number(mesh_.vertices.size(), overlay::none);
+    for (std::uint32_t c = 0; c < component_count_; ++c) {
+      context_.poll();
+      auto leaf = make_leaf(part(members[c], number), {.max_listed = 0, .find_crossings = false}, context_).leaf;
+      if (!leaf || leaf->tiles.empty()) continue;  // open: no side is outside
+      leaves.push_back(std::move(leaf));
+      component_of_leaf.push_back(c);
     }
     const overlay::Subdivision nothing_cut;
     overlay::Scene scene = overlay::make_unpaired_scene(leaves);
     const overlay::Sheets sheets{&scene, nullptr, &nothing_cut};
-    for (std::uint32_t c = 0; c < component_count_; ++c) {
-      const overlay::SheetWinding winding = overlay::winding_at(sheets, scene.first_tile[c]);
+    for (std::uint32_t l = 0; l < leaves.size(); ++l) {
+      context_.poll();
+      const overlay::SheetWinding winding = overlay::winding_at(sheets, scene.first_tile[l]);
       std::size_t around = 0;
       int own = 0;
       for (const overlay::Winding& w : winding.windings) {
-        if (w.leaf == c)
+        if (w.leaf == l)
           own = w.number;
         else if (w.number % 2 != 0)
           ++around;
       }
       const bool outward = winding.in_front ? own == 0 : own > 0;
-      if (outward != (around % 2 == 0)) turn_component(c);
+      if (outward == (around % 2 == 0)) continue;
+      for (const std::uint32_t f : members[component_of_leaf[l]]) reversed_[f] = !reversed_[f];
     }
   }
 
-  void turn_component(std::uint32_t c) {
-    for (std::size_t f = 0; f < faces_.size(); ++f) {
-      if (component_[f] == c) reversed_[f] = !reversed_[f];
+  void turn_faces() {
+    std::vector<std::uint32_t> turned;
+    for (std::uint32_t f = 0; f < faces_.size(); ++f) {
+      if (!reversed_[f]) continue;
+      turned.push_back(source_[f]);
+      std::reverse(faces_[f].begin(), faces_[f].end());
     }
+    report("faces turned over", std::move(turned));
   }
 
   void write_back() {
@@ -163,19 +263,19 @@ class MeshRepair {
       result_.mesh.add_face(faces_[f]);
       if (!mesh_.face_colors.empty()) result_.mesh.face_colors.push_back(mesh_.face_colors[source_[f]]);
     }
+    result_.source_face = std::move(source_);
   }
 
   const Mesh& mesh_;
   const Context& context_;
   RepairResult result_;
   std::vector<std::vector<std::uint32_t>> faces_;
-  std::vector<std::size_t> source_;
+  std::vector<std::uint32_t> source_;
+  std::vector<Use> uses_;  // by edge
   std::vector<std::vector<Neighbour>> neighbours_;
   std::vector<bool> reversed_;
   std::vector<std::uint32_t> component_;
   std::uint32_t component_count_ = 0;
-  std::size_t degenerate_ = 0;
-  std::size_t duplicate_ = 0;
 };
 
 }  // namespace

@@ -34,6 +34,12 @@ Solid Solid::of_leaf(std::shared_ptr<const Leaf> leaf) {
   return result;
 }
 
+Solid Solid::of_complement(std::shared_ptr<const Leaf> leaf) {
+  Solid result = of_leaf(std::move(leaf));
+  result.expression_ = Expression::complement(result.expression_);
+  return result;
+}
+
 std::shared_ptr<const Brep> Solid::shared_boundary() const {
   if (!boundary_) throw Error("this solid is an operand that was not evaluated");
   return boundary_;

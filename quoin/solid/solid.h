@@ -28,6 +28,8 @@ class Solid {
   /// An operand that is not evaluated by itself: its boundary is made with that of the expression it goes into, and
   /// asking for it before is an error.
   static Solid of_leaf(std::shared_ptr<const Leaf> leaf);
+  /// The same of the complement.
+  static Solid of_complement(std::shared_ptr<const Leaf> leaf);
 
   /// Evaluates the expression over `solids` (leaf i of the expression is solids[i]) as one arrangement.
   ///

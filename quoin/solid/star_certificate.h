@@ -14,7 +14,7 @@ namespace quoin {
 /// Seen along the sum d of the tiles' normals, the star of such a vertex is a fan that turns just once: every tile (v,
 /// a, b) has det(a - v, b - v, d) > 0, and just one of them crosses the half-line along which turning is counted. The
 /// determinants are certain by a filter, the crossings exact; where a determinant is not certain, the vertex is not
-/// certified, so a certificate decides which tests are run, never a result. O(n).
+/// certified, so a certificate decides which tests are run, never a result. Over rational points no vertex is. O(n).
 std::vector<std::uint8_t> certify_stars(const Leaf& leaf, const Context& context);
 
 }  // namespace quoin

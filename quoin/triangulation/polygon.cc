@@ -40,16 +40,29 @@ bool triangulate_four(std::span<const Point2> points, std::span<const std::uint3
   return true;
 }
 
+template <class Points>
+bool sweep_polygon(const Points& points, std::span<const std::uint32_t> loop_points,
+                   std::span<const std::uint32_t> loop_begin, std::vector<PolygonTriangle>& triangles) {
+  const std::size_t before = triangles.size();
+  if (PolygonSweep<Points>(points, loop_points, loop_begin, triangles).run()) return true;
+  triangles.resize(before);
+  return false;
+}
+
 }  // namespace
 
 bool triangulate_polygon(std::span<const Point2> points, std::span<const std::uint32_t> loop_points,
                          std::span<const std::uint32_t> loop_begin, std::vector<PolygonTriangle>& triangles) {
   if (loop_begin.size() == 2 && loop_points.size() == 3) return triangulate_three(points, loop_points, triangles);
   if (loop_begin.size() == 2 && loop_points.size() == 4) return triangulate_four(points, loop_points, triangles);
-  const std::size_t before = triangles.size();
-  if (PolygonSweep(points, loop_points, loop_begin, triangles).run()) return true;
-  triangles.resize(before);
-  return false;
+  return sweep_polygon(PlainPoints(points), loop_points, loop_begin, triangles);
+}
+
+bool triangulate_polygon(const Constructions& table, std::span<const PointId> points, const PolygonView& view,
+                         std::span<const std::uint32_t> loop_points, std::span<const std::uint32_t> loop_begin,
+                         std::vector<PolygonTriangle>& triangles) {
+  return sweep_polygon(ProjectedPoints(table, points, view.axis, view.from_positive), loop_points, loop_begin,
+                       triangles);
 }
 
 std::optional<std::vector<PolygonTriangle>> triangulate_polygon(std::span<const Point2> points,

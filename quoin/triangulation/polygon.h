@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "quoin/kernel/constructions.h"
 #include "quoin/kernel/point.h"
 
 namespace quoin {
@@ -31,5 +32,15 @@ std::optional<std::vector<PolygonTriangle>> triangulate_polygon(std::span<const 
 /// as it was, where the other returns nothing. `loop_begin` holds loop count + 1 offsets into `loop_points`.
 bool triangulate_polygon(std::span<const Point2> points, std::span<const std::uint32_t> loop_points,
                          std::span<const std::uint32_t> loop_begin, std::vector<PolygonTriangle>& triangles);
+
+/// The same of explicit points of a table, rational ones too, projected along an axis: counterclockwise is as seen from
+/// the positive end of the axis, or from the other one. O(n log n).
+struct PolygonView {
+  unsigned axis;
+  bool from_positive;
+};
+bool triangulate_polygon(const Constructions& table, std::span<const PointId> points, const PolygonView& view,
+                         std::span<const std::uint32_t> loop_points, std::span<const std::uint32_t> loop_begin,
+                         std::vector<PolygonTriangle>& triangles);
 
 }  // namespace quoin

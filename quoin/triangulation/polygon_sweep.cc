@@ -5,8 +5,6 @@
 #include <iterator>
 #include <tuple>
 
-#include "quoin/kernel/predicates2.h"
-
 namespace quoin {
 
 namespace {
@@ -15,7 +13,8 @@ constexpr std::uint32_t none = 0xFFFFFFFFU;
 
 }  // namespace
 
-bool PolygonSweep::run() {
+template <class Points>
+bool PolygonSweep<Points>::run() {
   if (!sort_vertices() || !make_edges()) return false;
   std::size_t first = 0;
   for (std::uint32_t v = 0; v < vertices_.size(); ++v) {
@@ -27,18 +26,21 @@ bool PolygonSweep::run() {
   return status_.empty();
 }
 
-bool PolygonSweep::sort_vertices() {
+template <class Points>
+bool PolygonSweep<Points>::sort_vertices() {
   vertices_.assign(loop_points_.begin(), loop_points_.end());
   std::sort(vertices_.begin(), vertices_.end());
   vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
   std::sort(vertices_.begin(), vertices_.end(), [&](std::uint32_t i, std::uint32_t j) {
-    return points_[i] != points_[j] ? lexicographically_less(points_[i], points_[j]) : i < j;
+    const Sign order = points_.compare(i, j);
+    return order != Sign::zero ? order == Sign::negative : i < j;
   });
-  const auto same = [&](std::uint32_t i, std::uint32_t j) { return points_[i] == points_[j]; };
+  const auto same = [&](std::uint32_t i, std::uint32_t j) { return points_.compare(i, j) == Sign::zero; };
   return std::adjacent_find(vertices_.begin(), vertices_.end(), same) == vertices_.end();
 }
 
-bool PolygonSweep::make_edges() {
+template <class Points>
+bool PolygonSweep<Points>::make_edges() {
   std::vector<std::uint32_t> rank_of(points_.size(), none);
   for (std::uint32_t r = 0; r < vertices_.size(); ++r) rank_of[vertices_[r]] = r;
   for (std::size_t l = 0; l + 1 < loop_begin_.size(); ++l) {
@@ -63,18 +65,21 @@ bool PolygonSweep::make_edges() {
   return true;
 }
 
-Sign PolygonSweep::turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
-  return orientation(points_[vertices_[a]], points_[vertices_[b]], points_[vertices_[c]]);
+template <class Points>
+Sign PolygonSweep<Points>::turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+  return points_.turn(vertices_[a], vertices_[b], vertices_[c]);
 }
 
 // Positive when the vertex lies above the edge, zero when the edge ends there.
-Sign PolygonSweep::side(std::uint32_t edge, std::uint32_t vertex) const {
+template <class Points>
+Sign PolygonSweep<Points>::side(std::uint32_t edge, std::uint32_t vertex) const {
   const Edge& e = edges_[edge];
   return e.right == vertex ? Sign::zero : turn(e.left, e.right, vertex);
 }
 
 // Of edges that do not cross and that some vertical line meets both.
-bool PolygonSweep::is_below(std::uint32_t e, std::uint32_t f) const {
+template <class Points>
+bool PolygonSweep<Points>::is_below(std::uint32_t e, std::uint32_t f) const {
   const Edge& a = edges_[e];
   const Edge& b = edges_[f];
   Sign sign = Sign::zero;
@@ -89,7 +94,8 @@ bool PolygonSweep::is_below(std::uint32_t e, std::uint32_t f) const {
 }
 
 // Whether two neighbours in the status keep apart up to the end of the first of them.
-bool PolygonSweep::are_apart(std::uint32_t lower, std::uint32_t upper) const {
+template <class Points>
+bool PolygonSweep<Points>::are_apart(std::uint32_t lower, std::uint32_t upper) const {
   const Edge& a = edges_[lower];
   const Edge& b = edges_[upper];
   if (a.right == b.right) return turn(a.left, a.right, b.left) != Sign::zero || a.left > b.left;
@@ -97,7 +103,8 @@ bool PolygonSweep::are_apart(std::uint32_t lower, std::uint32_t upper) const {
   return turn(a.left, a.right, b.right) == Sign::positive;
 }
 
-bool PolygonSweep::visit(std::uint32_t vertex, std::span<std::uint32_t> starting) {
+template <class Points>
+bool PolygonSweep<Points>::visit(std::uint32_t vertex, std::span<std::uint32_t> starting) {
   const auto [first, above] = status_.equal_range(Probe{vertex});
   std::uint32_t ended = 0;
   for (auto e = first; e != above; ++e) {
@@ -132,20 +139,23 @@ bool PolygonSweep::visit(std::uint32_t vertex, std::span<std::uint32_t> starting
   return insert_edges(starting, after);
 }
 
-bool PolygonSweep::close_gaps(std::uint32_t vertex, Status::iterator first, Status::iterator end) {
+template <class Points>
+bool PolygonSweep<Points>::close_gaps(std::uint32_t vertex, typename Status::iterator first,
+                                      typename Status::iterator end) {
   for (auto e = first; e != end && std::next(e) != end; ++e) {
     if (edges_[*e].inside_above && !close(gaps_[*e], vertex)) return false;
   }
   return true;
 }
 
-bool PolygonSweep::insert_edges(std::span<const std::uint32_t> starting, Status::iterator above) {
+template <class Points>
+bool PolygonSweep<Points>::insert_edges(std::span<const std::uint32_t> starting, typename Status::iterator above) {
   for (std::size_t i = 0; i + 1 < starting.size(); ++i) {
     const Edge& e = edges_[starting[i]];
     if (turn(e.left, e.right, edges_[starting[i + 1]].right) != Sign::positive) return false;
   }
   for (const std::uint32_t e : starting) status_.insert(above, e);
-  const auto check = [&](Status::iterator upper) {
+  const auto check = [&](typename Status::iterator upper) {
     return upper == status_.begin() || upper == status_.end() || are_apart(*std::prev(upper), *upper);
   };
   if (!check(above)) return false;
@@ -153,22 +163,26 @@ bool PolygonSweep::insert_edges(std::span<const std::uint32_t> starting, Status:
   return check(std::prev(above, static_cast<std::ptrdiff_t>(starting.size())));
 }
 
-std::uint32_t PolygonSweep::new_link(std::uint32_t vertex) {
+template <class Points>
+std::uint32_t PolygonSweep<Points>::new_link(std::uint32_t vertex) {
   links_.push_back({vertex, none, none});
   return static_cast<std::uint32_t>(links_.size() - 1);
 }
 
-PolygonSweep::Gap PolygonSweep::fresh_gap(std::uint32_t vertex) {
+template <class Points>
+auto PolygonSweep<Points>::fresh_gap(std::uint32_t vertex) -> Gap {
   const std::uint32_t link = new_link(vertex);
   return {link, link, link};
 }
 
-void PolygonSweep::emit(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+template <class Points>
+void PolygonSweep<Points>::emit(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
   triangles_.push_back({vertices_[a], vertices_[b], vertices_[c]});
 }
 
 // Cuts off what the vertex sees from the top of the chain, then puts it there.
-void PolygonSweep::add_at_top(Gap& gap, std::uint32_t vertex) {
+template <class Points>
+void PolygonSweep<Points>::add_at_top(Gap& gap, std::uint32_t vertex) {
   while (gap.top != gap.bottom) {
     const std::uint32_t v = links_[gap.top].vertex;
     const std::uint32_t w = links_[links_[gap.top].below].vertex;
@@ -182,7 +196,8 @@ void PolygonSweep::add_at_top(Gap& gap, std::uint32_t vertex) {
   gap.top = gap.recent = link;
 }
 
-void PolygonSweep::add_at_bottom(Gap& gap, std::uint32_t vertex) {
+template <class Points>
+void PolygonSweep<Points>::add_at_bottom(Gap& gap, std::uint32_t vertex) {
   while (gap.bottom != gap.top) {
     const std::uint32_t v = links_[gap.bottom].vertex;
     const std::uint32_t w = links_[links_[gap.bottom].above].vertex;
@@ -197,7 +212,8 @@ void PolygonSweep::add_at_bottom(Gap& gap, std::uint32_t vertex) {
 }
 
 // The vertex lies inside the gap and sees the vertex met last: the chain parts there.
-std::pair<PolygonSweep::Gap, PolygonSweep::Gap> PolygonSweep::split(const Gap& gap, std::uint32_t vertex) {
+template <class Points>
+auto PolygonSweep<Points>::split(const Gap& gap, std::uint32_t vertex) -> std::pair<Gap, Gap> {
   const std::uint32_t copy = new_link(links_[gap.recent].vertex);
   links_[copy].above = links_[gap.recent].above;
   if (gap.recent != gap.top) links_[links_[copy].above].below = copy;
@@ -209,7 +225,8 @@ std::pair<PolygonSweep::Gap, PolygonSweep::Gap> PolygonSweep::split(const Gap& g
 }
 
 // Both end in the same vertex, the lower one above, the upper one below.
-PolygonSweep::Gap PolygonSweep::merge(const Gap& lower, const Gap& upper) {
+template <class Points>
+auto PolygonSweep<Points>::merge(const Gap& lower, const Gap& upper) -> Gap {
   if (upper.bottom == upper.top) return lower;
   const std::uint32_t next = links_[upper.bottom].above;
   links_[lower.top].above = next;
@@ -218,7 +235,8 @@ PolygonSweep::Gap PolygonSweep::merge(const Gap& lower, const Gap& upper) {
 }
 
 // All edges around the gap have met in the vertex, which sees the whole chain.
-bool PolygonSweep::close(const Gap& gap, std::uint32_t vertex) {
+template <class Points>
+bool PolygonSweep<Points>::close(const Gap& gap, std::uint32_t vertex) {
   for (std::uint32_t link = gap.bottom; link != gap.top; link = links_[link].above) {
     const std::uint32_t v = links_[link].vertex;
     const std::uint32_t w = links_[links_[link].above].vertex;
@@ -227,5 +245,8 @@ bool PolygonSweep::close(const Gap& gap, std::uint32_t vertex) {
   }
   return true;
 }
+
+template class PolygonSweep<PlainPoints>;
+template class PolygonSweep<ProjectedPoints>;
 
 }  // namespace quoin

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "quoin/base/sign.h"
-#include "quoin/kernel/point.h"
 #include "quoin/triangulation/polygon.h"
+#include "quoin/triangulation/polygon_points.h"
 
 namespace quoin {
 
@@ -18,10 +18,11 @@ namespace quoin {
 /// vertices that nowhere bends towards the part still to come. Each vertex is joined to the chain vertices that it
 /// sees, which cuts off triangles. Any number of edges may end and begin at a vertex, so touching loops are ordinary.
 /// Vertices are named by their rank in sweep order. Edges are checked for crossings when they become neighbours (Shamos
-/// and Hoey 1976).
+/// and Hoey 1976). `Points` knows the geometry: `PlainPoints` or `ProjectedPoints`.
+template <class Points>
 class PolygonSweep {
  public:
-  PolygonSweep(std::span<const Point2> points, std::span<const std::uint32_t> loop_points,
+  PolygonSweep(const Points& points, std::span<const std::uint32_t> loop_points,
                std::span<const std::uint32_t> loop_begin, std::vector<PolygonTriangle>& triangles)
       : points_(points),
         loop_points_(loop_points),
@@ -65,8 +66,8 @@ class PolygonSweep {
   bool sort_vertices();
   bool make_edges();
   bool visit(std::uint32_t vertex, std::span<std::uint32_t> starting);
-  bool close_gaps(std::uint32_t vertex, Status::iterator first, Status::iterator end);
-  bool insert_edges(std::span<const std::uint32_t> starting, Status::iterator above);
+  bool close_gaps(std::uint32_t vertex, typename Status::iterator first, typename Status::iterator end);
+  bool insert_edges(std::span<const std::uint32_t> starting, typename Status::iterator above);
   Sign turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
   Sign side(std::uint32_t edge, std::uint32_t vertex) const;
   bool is_below(std::uint32_t e, std::uint32_t f) const;
@@ -81,7 +82,7 @@ class PolygonSweep {
   bool close(const Gap& gap, std::uint32_t vertex);
   void emit(std::uint32_t a, std::uint32_t b, std::uint32_t c);
 
-  std::span<const Point2> points_;
+  Points points_;
   std::span<const std::uint32_t> loop_points_;
   std::span<const std::uint32_t> loop_begin_;
   std::vector<PolygonTriangle>& triangles_;
@@ -93,5 +94,8 @@ class PolygonSweep {
   std::vector<Gap> gaps_;               // per edge with the interior above it
   std::vector<Link> links_;
 };
+
+extern template class PolygonSweep<PlainPoints>;
+extern template class PolygonSweep<ProjectedPoints>;
 
 }  // namespace quoin

@@ -255,7 +255,7 @@ bool are_separated(const Constructions& table, const Corners& a, const Corners& 
 bool have_equal_corners(const Constructions& table, const Corners& a, const Corners& b) {
   for (const PointId p : a) {
     for (const PointId q : b) {
-      if (p != q && table.rounded(p) == table.rounded(q)) return true;
+      if (p != q && table.rounded(p) == table.rounded(q) && table.equal(p, q)) return true;
     }
   }
   return false;

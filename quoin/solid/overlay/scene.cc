@@ -2,6 +2,7 @@
 #include "quoin/solid/overlay/scene.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 
 #include "quoin/base/error.h"
@@ -113,11 +114,30 @@ void merge_vertices(Scene& scene) {
   }
 }
 
-std::vector<Point3> gather_vertices(const Scene& scene) {
+RationalPoint3 exact_point(const Point3& p) {
+  return {Rational(p.x), Rational(p.y), Rational(p.z)};
+}
+
+// Of leaves over rational points and others.
+Constructions rational_table(const Scene& scene) {
+  std::vector<RationalPoint3> points;
+  points.reserve(scene.first_vertex.back());
+  for (const auto& leaf : scene.leaves) {
+    points.insert(points.end(), leaf->exact_vertices.begin(), leaf->exact_vertices.end());
+    if (!leaf->exact_vertices.empty()) continue;
+    std::transform(leaf->vertices.begin(), leaf->vertices.end(), std::back_inserter(points), exact_point);
+  }
+  return Constructions(std::move(points));
+}
+
+Constructions gather_vertices(const Scene& scene) {
+  for (const auto& leaf : scene.leaves) {
+    if (!leaf->exact_vertices.empty()) return rational_table(scene);
+  }
   std::vector<Point3> points;
   points.reserve(scene.first_vertex.back());
   for (const auto& leaf : scene.leaves) points.insert(points.end(), leaf->vertices.begin(), leaf->vertices.end());
-  return points;
+  return Constructions(std::move(points));
 }
 
 void number_leaves(Scene& scene) {
@@ -164,7 +184,7 @@ Scene make_unpaired_scene(std::span<const std::shared_ptr<const Leaf>> leaves) {
   Scene scene;
   scene.leaves = leaves;
   number_leaves(scene);
-  scene.table = Constructions(gather_vertices(scene));
+  scene.table = gather_vertices(scene);
   scene.facet_of_tile.assign(scene.tile_count(), none);
   scene.merged.resize(scene.first_vertex.back());
   std::iota(scene.merged.begin(), scene.merged.end(), 0U);
