@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <vector>
 
 #include "quoin/base/parallel.h"
+#include "quoin/solid/dyadic_cones.h"
 
 namespace quoin {
 
@@ -47,12 +49,32 @@ Rational cone_volume(const Brep& boundary, std::uint32_t face) {
   return total;
 }
 
+// Terms that add up to six times the signed volume: one for all faces over doubles, and one for each other face.
 std::vector<Rational> cone_volumes(const Brep& boundary, const Context& context) {
-  std::vector<Rational> terms(boundary.face_count());
-  for_each_chunk(context, terms.size(), 256, [&](const Chunk& chunk) {
-    for (std::size_t f = chunk.begin; f < chunk.end; ++f)
-      terms[f] = cone_volume(boundary, static_cast<std::uint32_t>(f));
+  constexpr std::size_t grain = 1024;
+  struct Part {
+    DyadicCones::Sum dyadic;
+    std::vector<Rational> others;
+  };
+  const std::optional<DyadicCones> cones = DyadicCones::of(boundary);
+  std::vector<Part> parts(chunk_count(boundary.face_count(), grain));
+  for_each_chunk(context, boundary.face_count(), grain, [&](const Chunk& chunk) {
+    Part& part = parts[chunk.index];
+    for (auto f = static_cast<std::uint32_t>(chunk.begin); f < chunk.end; ++f) {
+      if (cones && cones->holds(f)) {
+        cones->add(f, part.dyadic);
+      } else {
+        part.others.push_back(cone_volume(boundary, f));
+      }
+    }
   });
+  DyadicCones::Sum dyadic;
+  std::vector<Rational> terms;
+  for (Part& part : parts) {
+    dyadic = dyadic + part.dyadic;
+    std::move(part.others.begin(), part.others.end(), std::back_inserter(terms));
+  }
+  if (cones) terms.push_back(cones->value(dyadic));
   return terms;
 }
 
