@@ -78,6 +78,14 @@ MeshFile read_by_content(std::string_view bytes, const std::string& name, bool w
   throw InputError(name + ": neither the content nor the ending tells a format that is read (OFF, OBJ, STL, PLY)");
 }
 
+// Arrays that grew by doubling hold up to twice what they need, for as long as the mesh lives.
+void release_spare_room(Mesh& mesh) {
+  mesh.vertices.shrink_to_fit();
+  mesh.corners.shrink_to_fit();
+  mesh.face_begin.shrink_to_fit();
+  mesh.face_colors.shrink_to_fit();
+}
+
 }  // namespace
 
 std::optional<MeshFormat> format_from_path(const std::filesystem::path& path) {
@@ -106,6 +114,7 @@ MeshFile read_mesh(std::string_view bytes, const std::string& name, const ReadOp
   }
   if (file.mesh.name.empty()) file.mesh.name = std::filesystem::path(name).stem().string();
   io::weld(file.mesh, open, file.report, context);
+  release_spare_room(file.mesh);
   return file;
 }
 

@@ -21,6 +21,7 @@ class OffReader {
     Mesh& mesh = file_.mesh;
     mesh.vertices.reserve(vertex_count_);
     for (std::size_t i = 0; i < vertex_count_; ++i) read_vertex(i);
+    mesh.face_begin.reserve(face_count_ + 1);
     for (std::size_t f = 0; f < face_count_; ++f) read_face(f);
     if (!has_colors_) mesh.face_colors.clear();
     if (has_extra_) file_.report.warnings.push_back("what the vertex lines hold beyond x, y, z is not kept");

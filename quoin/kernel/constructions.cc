@@ -107,6 +107,7 @@ Constructions::Constructions(std::vector<RationalPoint3> explicit_points) : Cons
 }
 
 void Constructions::resize_points(std::size_t count) {
+  points_.reserve(std::max(count, explicit_count_));  // exactly, where growing would double
   points_.resize(std::max(count, explicit_count_));
   store_->visit([&](auto& table) { table.resize_points(points_.size() - explicit_count_, points_.data()); });
 }

@@ -8,22 +8,25 @@
 
 namespace quoin {
 
-DyadicCones::DyadicCones(const Brep& boundary, int lo)
+DyadicCones::DyadicCones(const Brep& boundary, int lo, bool is_wide)
     : boundary_(&boundary),
       lo_(lo),
+      is_wide_(is_wide),
       scale_first_(std::ldexp(1.0, -lo / 2)),
       scale_second_(std::ldexp(1.0, -lo - (-lo / 2))) {}
 
 // The table's class bounds the range of bits of all its points, hence of these from their largest magnitude down.
 std::optional<DyadicCones> DyadicCones::of(const Brep& boundary) {
   const Constructions& table = boundary.points;
-  if (table.grid_class() != GridClass::bits30 && table.grid_class() != GridClass::bits61) return std::nullopt;
+  const bool is_wide = table.grid_class() == GridClass::bits124;
+  if (!is_wide && table.grid_class() != GridClass::bits30 && table.grid_class() != GridClass::bits61)
+    return std::nullopt;
   double largest = 0;
   for (std::size_t i = 0; i < table.explicit_count(); ++i) {
     const Point3& p = table.rounded(PointId{i});
     largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
   }
-  return DyadicCones(boundary, largest == 0 ? 0 : std::ilogb(largest) + 1 - 61);
+  return DyadicCones(boundary, largest == 0 ? 0 : std::ilogb(largest) + 1 - (is_wide ? 124 : 61), is_wide);
 }
 
 bool DyadicCones::holds(std::uint32_t face) const {
@@ -36,26 +39,41 @@ bool DyadicCones::holds(std::uint32_t face) const {
   return true;
 }
 
-std::array<FixedInt<1>, 3> DyadicCones::scaled(PointId p) const {
+template <std::size_t Limbs>
+std::array<FixedInt<Limbs>, 3> DyadicCones::scaled(PointId p) const {
   const Point3& point = boundary_->points.rounded(p);
-  std::array<FixedInt<1>, 3> result;
+  std::array<FixedInt<Limbs>, 3> result;
   for (std::size_t k = 0; k < 3; ++k) {
-    result[k] = FixedInt<1>(static_cast<std::int64_t>(point[k] * scale_first_ * scale_second_));
+    const double units = point[k] * scale_first_ * scale_second_;
+    if constexpr (Limbs == 1) {
+      result[k] = FixedInt<1>(static_cast<std::int64_t>(units));
+    } else {
+      const auto wide = static_cast<fixed_int_detail::Int128>(units);
+      result[k].set_limb(0, static_cast<std::uint64_t>(wide));
+      result[k].set_limb(1, static_cast<std::uint64_t>(wide >> 64));
+    }
   }
   return result;
+}
+
+template <std::size_t Limbs, std::size_t SumLimbs>
+FixedInt<SumLimbs> DyadicCones::determinants(std::span<const PointId> loop) const {
+  FixedInt<SumLimbs> sum;
+  const auto apex = scaled<Limbs>(loop[0]);
+  auto previous = scaled<Limbs>(loop[1]);
+  for (std::size_t i = 2; i < loop.size(); ++i) {
+    const auto here = scaled<Limbs>(loop[i]);
+    sum = sum + detail::dot<FixedInt<SumLimbs>>(apex, detail::cross<FixedInt<2 * Limbs>>(previous, here));
+    previous = here;
+  }
+  return sum;
 }
 
 void DyadicCones::add(std::uint32_t face, Sum& sum) const {
   for (std::uint32_t l = boundary_->face_first_loop[face]; l < boundary_->face_first_loop[face + 1]; ++l) {
     const auto loop = boundary_->loop(l);
     if (loop.size() < 3) continue;
-    const std::array<FixedInt<1>, 3> apex = scaled(loop[0]);
-    std::array<FixedInt<1>, 3> previous = scaled(loop[1]);
-    for (std::size_t i = 2; i < loop.size(); ++i) {
-      const std::array<FixedInt<1>, 3> here = scaled(loop[i]);
-      sum = sum + detail::dot<Sum>(apex, detail::cross<FixedInt<2>>(previous, here));
-      previous = here;
-    }
+    sum = sum + (is_wide_ ? determinants<2, 7>(loop) : Sum(determinants<1, 4>(loop)));
   }
 }
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "quoin/number/fixed_int.h"
 #include "quoin/number/rational.h"
@@ -10,14 +12,14 @@
 
 namespace quoin {
 
-/// Cones between the origin and faces whose vertices are doubles on one grid of 61 bits, in fixed-width integers
-/// instead of rationals; nothing is kept per face.
+/// Cones between the origin and faces whose vertices are doubles on one grid of at most 124 bits, in fixed-width
+/// integers instead of rationals; nothing is kept per face.
 ///
-/// With coordinates below 2^61 in units of the grid, a minor is below 2^123, a determinant below 2^186, and sums of up
-/// to 2^69 of them stay below 2^255.
+/// With coordinates below 2^B in units of the grid, a minor is below 2^(2B+1) and a determinant below 2^(3B+3): 123 and
+/// 186 bits for B = 61, 249 and 375 for B = 124. Sums of up to 2^69 determinants stay below 2^255 and 2^444.
 class DyadicCones {
  public:
-  using Sum = FixedInt<4>;
+  using Sum = FixedInt<7>;
 
   /// Nothing where the boundary's explicit points need a wider grid. O(points).
   static std::optional<DyadicCones> of(const Brep& boundary);
@@ -30,11 +32,15 @@ class DyadicCones {
   Rational value(const Sum& sum) const;
 
  private:
-  DyadicCones(const Brep& boundary, int lo);
-  std::array<FixedInt<1>, 3> scaled(PointId p) const;
+  DyadicCones(const Brep& boundary, int lo, bool is_wide);
+  template <std::size_t Limbs>
+  std::array<FixedInt<Limbs>, 3> scaled(PointId p) const;
+  template <std::size_t Limbs, std::size_t SumLimbs>
+  FixedInt<SumLimbs> determinants(std::span<const PointId> loop) const;
 
   const Brep* boundary_;
   int lo_;
+  bool is_wide_;        // 124 bits, else 61
   double scale_first_;  // x 2^-lo = x * scale_first_ * scale_second_, neither product rounding
   double scale_second_;
 };

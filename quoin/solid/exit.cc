@@ -65,18 +65,20 @@ Positions round_points(const Brep& boundary, Precision precision) {
   return result;
 }
 
-// Keeps only the vertices that triangles name.
-void compact_vertices(Triangulated& result, const std::vector<Point3>& points) {
+// Keeps only the vertices that triangles name, in place.
+void compact_vertices(Triangulated& result, std::vector<Point3> points) {
   std::vector<std::uint32_t> number(points.size(), 0xFFFFFFFFU);
-  result.vertices.clear();
   for (const Tile& t : result.triangles) {
     for (const std::uint32_t v : t) number[v] = 0;
   }
+  std::uint32_t kept = 0;
   for (std::size_t v = 0; v < points.size(); ++v) {
     if (number[v] != 0) continue;
-    number[v] = static_cast<std::uint32_t>(result.vertices.size());
-    result.vertices.push_back(points[v]);
+    points[kept] = points[v];
+    number[v] = kept++;
   }
+  points.resize(kept);
+  result.vertices = std::move(points);
   for (Tile& t : result.triangles) {
     for (std::uint32_t& v : t) v = number[v];
   }
@@ -178,7 +180,7 @@ Triangulated triangulate_boundary(const Brep& boundary, const ExitOptions& optio
   std::vector<std::uint32_t> face_before;  // of the boundary, per triangle of the round before
   int bits = 24;
   for (unsigned round = 0;; ++round) {
-    const Positions positions = round_points(*current, options.precision);
+    Positions positions = round_points(*current, options.precision);
     FaceTriangles faces = triangulate_faces(*current, positions.points, context);
     result.triangles = std::move(faces.triangles);
     result.triangle_face = std::move(faces.triangle_face);
@@ -189,7 +191,7 @@ Triangulated triangulate_boundary(const Brep& boundary, const ExitOptions& optio
     if (positions.moved_count == 0 && faces.failed_faces.empty()) {
       name_original_faces(result, *current, face_before);
       result.rounding = round == 0 ? Rounding::exact : Rounding::certified;
-      compact_vertices(result, positions.points);
+      compact_vertices(result, std::move(positions.points));
       return result;
     }
     result.crossings = find_crossings(positions.points, result.triangles, positions.moved, context);
@@ -197,7 +199,7 @@ Triangulated triangulate_boundary(const Brep& boundary, const ExitOptions& optio
     name_original_faces(result, *current, face_before);
     if (result.crossings.empty()) {
       result.rounding = Rounding::certified;
-      compact_vertices(result, positions.points);
+      compact_vertices(result, std::move(positions.points));
       return result;
     }
     std::vector<Point3> points = positions.points;
@@ -209,7 +211,7 @@ Triangulated triangulate_boundary(const Brep& boundary, const ExitOptions& optio
     if (!next) {
       result.rounding = Rounding::failed;
       if (result.crossings.size() > options.max_listed) result.crossings.resize(options.max_listed);
-      compact_vertices(result, positions.points);
+      compact_vertices(result, std::move(positions.points));
       return result;
     }
     result.max_displacement += displacement;

@@ -126,10 +126,11 @@ FaceTriangles triangulate_faces(const Brep& boundary, std::span<const Point3> po
   for (const FaceTriangles& part : parts) count += part.triangles.size();
   all.triangles.reserve(count);
   all.triangle_face.reserve(count);
-  for (const FaceTriangles& part : parts) {
+  for (FaceTriangles& part : parts) {
     all.triangles.insert(all.triangles.end(), part.triangles.begin(), part.triangles.end());
     all.triangle_face.insert(all.triangle_face.end(), part.triangle_face.begin(), part.triangle_face.end());
     all.failed_faces.insert(all.failed_faces.end(), part.failed_faces.begin(), part.failed_faces.end());
+    part = {};
   }
   return all;
 }

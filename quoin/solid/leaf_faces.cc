@@ -46,7 +46,10 @@ class FaceCutter {
 
   bool lies_in_its_plane(std::uint32_t f) const {
     const auto& [a, b, c] = b_.face_planes[f];
-    const auto is_flat = [&](unsigned axis) { return points_.turn(a, b, c, axis) == Sign::zero; };
+    // The capture names what it takes: clang does not capture structured bindings in C++20.
+    const auto is_flat = [&, &a = a, &b = b, &c = c](unsigned axis) {
+      return points_.turn(a, b, c, axis) == Sign::zero;
+    };
     if (is_flat(0) && is_flat(1) && is_flat(2)) return false;
     for (std::uint32_t l = b_.face_first_loop[f]; l < b_.face_first_loop[f + 1]; ++l) {
       for (const PointId p : b_.loop(l)) {

@@ -30,8 +30,9 @@ class TileMaker {
       : mesh_(mesh), points_(points), max_listed_(max_listed), diagnosis_(diagnosis), context_(context) {}
 
   MeshTiles run() {
-    out_.tiles.reserve(mesh_.corners.size());
-    out_.tile_face.reserve(mesh_.corners.size());
+    const std::size_t tiles = mesh_.corners.size() - std::min(mesh_.corners.size(), 2 * mesh_.face_count());
+    out_.tiles.reserve(tiles);
+    out_.tile_face.reserve(tiles);
     for (std::uint32_t f = 0; f < mesh_.face_count(); ++f) {
       if (f % 1024 == 0) context_.poll();
       add_face(f);
