@@ -123,7 +123,7 @@ class CrossingFinder {
     std::vector<Tile> ends;
     for (const BoundaryEdge& e : edges_) ends.push_back({e.a.value, e.b.value, BoxTree::no_label});
     const auto all = [](const TilePair&) { return true; };
-    for (const TilePair& pair : edge_tree_.self_pairs(ends, all, context_)) {
+    for (const TilePair& pair : edge_tree_.self_pairs({ends, {}}, all, context_)) {
       poll();
       if (cross(edges_[pair.a], edges_[pair.b])) say(name(edges_[pair.a]) + " crosses " + name(edges_[pair.b]));
     }

@@ -42,12 +42,35 @@ class BoxTree {
   static std::vector<TilePair> pairs(const BoxTree& a, const BoxTree& b, const Context& context);
   /// All pairs a < b of tiles of this tree whose boxes meet, also those that share vertices.
   std::vector<TilePair> self_pairs(const Context& context) const;
-  /// The same without the pairs that have a label in common and without those that `keep` refuses. Three labels per
-  /// tile; `no_label` is none. `keep` is called from several threads. Only kept pairs take memory; tiles that all share
-  /// a label, as around the apex of a cone, take no time.
-  std::vector<TilePair> self_pairs(std::span<const Tile> labels, const std::function<bool(const TilePair&)>& keep,
+  /// Pairs of tiles that are not reported.
+  struct Excluded {
+    std::span<const Tile> labels{};            ///< per tile; no pairs that have one in common. `no_label` is none
+    std::span<const std::uint8_t> subtrees{};  ///< per node, or empty; no pairs within a marked subtree
+  };
+  /// The same without what is excluded and without the pairs that `keep` refuses. `keep` is called from several
+  /// threads. Only kept pairs take memory; tiles that all share a label, as around the apex of a cone, take no time.
+  std::vector<TilePair> self_pairs(const Excluded& excluded, const std::function<bool(const TilePair&)>& keep,
                                    const Context& context) const;
   static constexpr std::uint32_t no_label = 0xFFFFFFFFU;
+
+  /// The tiles of a subtree. Slots number tiles in the order of the tree, with gaps.
+  struct Subtree {
+    std::span<const std::uint32_t> tiles;
+    std::uint32_t begin;  ///< its slots, half-open
+    std::uint32_t end;
+  };
+  /// The slot of each tile. O(n).
+  std::vector<std::uint32_t> slots() const;
+
+  struct Marked {
+    std::vector<std::uint8_t> is_marked;     ///< per node
+    std::vector<std::uint32_t> other_tiles;  ///< those in no marked subtree
+  };
+  /// Offers the largest subtrees of at most `largest` tiles, and where one is not accepted its two halves, down to
+  /// `smallest` tiles. `accept` is called from several threads. O(n) beside what it takes, for a tree of balanced
+  /// halves.
+  Marked marked_subtrees(std::size_t smallest, std::size_t largest, const std::function<bool(const Subtree&)>& accept,
+                         const Context& context) const;
 
   /// Appends the tiles whose box meets the lines parallel to the axis through the box [lo, hi] of the other two
   /// coordinates ((axis+1)%3, (axis+2)%3).
@@ -61,6 +84,7 @@ class BoxTree {
 
  private:
   friend class BoxTreePairs;
+  friend class SubtreeMarker;
 
   // Nodes in depth-first order: the first child follows its parent, the second is named. A leaf has block_count > 0
   // blocks from there on, the last of them filled up with empty boxes.
@@ -76,6 +100,17 @@ class BoxTree {
   void fill_leaf(std::uint32_t node, std::span<const std::uint32_t> order, std::span<const FloatBox> boxes);
   template <class Accept>
   void collect(const Accept& accept, std::vector<std::uint32_t>& out) const;
+
+  // Calls visit(tile, slot) for the tiles of blocks [begin, end).
+  template <class Visit>
+  void for_each_tile(std::uint32_t begin, std::uint32_t end, const Visit& visit) const {
+    for (std::uint32_t block = begin; block < end; ++block) {
+      for (std::uint32_t lane = 0; lane < 4; ++lane) {
+        const bool is_filled = blocks_[block].lo[0][lane] == blocks_[block].lo[0][lane];  // not NaN
+        if (is_filled) visit(block_tiles_[block][lane], 4 * block + lane);
+      }
+    }
+  }
 
   std::size_t size_ = 0;
   std::vector<Node> nodes_;

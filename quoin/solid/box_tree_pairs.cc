@@ -9,14 +9,7 @@ namespace quoin {
 
 namespace {
 
-using Labels = std::uint32_t __attribute__((vector_size(16)));
 using Mask = BoxBlock::Mask;
-
-// The three labels of each of four tiles. Two sides of a pair say "none" differently, so that none equals nothing.
-struct LabelBlock {
-  std::array<Labels, 3> label;
-};
-constexpr std::uint32_t other_no_label = BoxTree::no_label - 1;
 
 constexpr Tile no_labels{BoxTree::no_label, BoxTree::no_label, BoxTree::no_label};
 
@@ -43,8 +36,14 @@ class BoxTreePairs {
 
   BoxTreePairs(const BoxTree& a, const BoxTree& b, bool is_self, const Context& context)
       : a_(a), b_(b), is_self_(is_self), context_(context) {}
-  BoxTreePairs(const BoxTree& tree, std::span<const Tile> labels, const Keep& keep, const Context& context)
-      : a_(tree), b_(tree), is_self_(true), labels_(labels), keep_(&keep), context_(context) {}
+  BoxTreePairs(const BoxTree& tree, const BoxTree::Excluded& excluded, const Keep& keep, const Context& context)
+      : a_(tree),
+        b_(tree),
+        is_self_(true),
+        labels_(excluded.labels),
+        excluded_subtrees_(excluded.subtrees),
+        keep_(&keep),
+        context_(context) {}
 
   std::vector<TilePair> run() {
     if (a_.nodes_.empty() || b_.nodes_.empty() || !meet(a_.nodes_[0].box, b_.nodes_[0].box)) return {};
@@ -70,17 +69,9 @@ class BoxTreePairs {
 
   void gather_labels() {
     if (labels_.empty()) return;
-    label_blocks_.resize(a_.blocks_.size());
-    for_each_chunk(context_, label_blocks_.size(), 8192, [&](const Chunk& chunk) {
-      for (std::size_t block = chunk.begin; block < chunk.end; ++block) {
-        for (std::size_t lane = 0; lane < 4; ++lane) {
-          const Tile& labels = labels_[a_.block_tiles_[block][lane]];
-          for (std::size_t k = 0; k < 3; ++k) label_blocks_[block].label[k][lane] = labels[k];
-        }
-      }
-    });
     node_labels_.resize(a_.nodes_.size());
     for (std::size_t n = a_.nodes_.size(); n-- > 0;) {  // children come after their parents
+      if (n % 4096 == 0) context_.poll();
       const Node& node = a_.nodes_[n];
       node_labels_[n] = node.block_count != 0 ? labels_of_leaf(node)
                                               : common_labels(node_labels_[n + 1], node_labels_[node.second_or_block]);
@@ -90,7 +81,7 @@ class BoxTreePairs {
   Tile labels_of_leaf(const Node& node) const {
     Tile result = labels_[a_.block_tiles_[node.second_or_block][0]];
     for (std::uint32_t block = node.second_or_block; block < node.second_or_block + node.block_count; ++block) {
-      for (std::size_t lane = 0; lane < 4; ++lane) {
+      for (std::size_t lane = 0; lane < 4 && result != no_labels; ++lane) {
         if (!std::isnan(a_.blocks_[block].lo[0][lane]))
           result = common_labels(result, labels_[a_.block_tiles_[block][lane]]);
       }
@@ -110,7 +101,12 @@ class BoxTreePairs {
   }
 
   std::vector<NodePair> make_tasks() const {
-    std::vector<NodePair> tasks{{0, 0}};
+    std::vector<NodePair> tasks;
+    if (is_self_) {
+      push_self(0, tasks);
+    } else {
+      tasks.push_back({0, 0});
+    }
     std::vector<NodePair> next;
     for (int level = 0; level < 12 && tasks.size() < 256; ++level) {
       next.clear();
@@ -146,9 +142,9 @@ class BoxTreePairs {
     const Node& x = a_.nodes_[pair.a];
     const Node& y = b_.nodes_[pair.b];
     if (is_self_ && pair.a == pair.b) {
-      push(x.second_or_block, x.second_or_block, out);
+      push_self(x.second_or_block, out);
       push(pair.a + 1, x.second_or_block, out);
-      push(pair.a + 1, pair.a + 1, out);
+      push_self(pair.a + 1, out);
       return;
     }
     if (y.block_count != 0 || (x.block_count == 0 && extent(x) >= extent(y))) {
@@ -162,6 +158,10 @@ class BoxTreePairs {
 
   void push(std::uint32_t i, std::uint32_t j, std::vector<NodePair>& out) const {
     if (meet(a_.nodes_[i].box, b_.nodes_[j].box) && !have_common_label(i, j)) out.push_back({i, j});
+  }
+
+  void push_self(std::uint32_t i, std::vector<NodePair>& out) const {
+    if (excluded_subtrees_.empty() || excluded_subtrees_[i] == 0) push(i, i, out);
   }
 
   static float extent(const Node& n) {
@@ -188,8 +188,6 @@ class BoxTreePairs {
           if (same && q < p) continue;
           Mask hits = b_.blocks_[q].meets(box);
           if (same && p == q) hits &= after(lane);
-          if (!is_any(hits)) continue;
-          if (!label_blocks_.empty()) hits &= ~have_common_label(p, lane, q);
           if (is_any(hits)) add(p, lane, q, hits, out);
         }
       }
@@ -201,21 +199,12 @@ class BoxTreePairs {
     return lanes > static_cast<std::int32_t>(lane);
   }
 
-  Mask have_common_label(std::uint32_t p, std::size_t lane, std::uint32_t q) const {
-    Mask result = {0, 0, 0, 0};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t own = label_blocks_[p].label[i][lane];
-      const std::uint32_t label = own == BoxTree::no_label ? other_no_label : own;
-      for (std::size_t j = 0; j < 3; ++j) result |= label_blocks_[q].label[j] == label;
-    }
-    return result;
-  }
-
   void add(std::uint32_t p, std::size_t lane, std::uint32_t q, const Mask& hits, std::vector<TilePair>& out) const {
     const std::uint32_t s = a_.block_tiles_[p][lane];
     for (std::size_t other = 0; other < 4; ++other) {
       if (hits[other] == 0) continue;
       const std::uint32_t t = b_.block_tiles_[q][other];
+      if (!labels_.empty() && common_labels(labels_[s], labels_[t]) != no_labels) continue;
       const TilePair pair = is_self_ && t < s ? TilePair{t, s} : TilePair{s, t};
       if (keep_ == nullptr || (*keep_)(pair)) out.push_back(pair);
     }
@@ -225,8 +214,8 @@ class BoxTreePairs {
   const BoxTree& b_;
   bool is_self_;
   std::span<const Tile> labels_;
-  std::vector<LabelBlock> label_blocks_;  // per block of a_; empty without labels
-  std::vector<Tile> node_labels_;         // per node of a_: what all its tiles share; empty without labels
+  std::span<const std::uint8_t> excluded_subtrees_;  // per node of a_, or empty
+  std::vector<Tile> node_labels_;                    // per node of a_: what all its tiles share; empty without labels
   const Keep* keep_ = nullptr;
   const Context& context_;
 };
@@ -239,10 +228,9 @@ std::vector<TilePair> BoxTree::self_pairs(const Context& context) const {
   return BoxTreePairs(*this, *this, true, context).run();
 }
 
-std::vector<TilePair> BoxTree::self_pairs(std::span<const Tile> labels,
-                                          const std::function<bool(const TilePair&)>& keep,
+std::vector<TilePair> BoxTree::self_pairs(const Excluded& excluded, const std::function<bool(const TilePair&)>& keep,
                                           const Context& context) const {
-  return BoxTreePairs(*this, labels, keep, context).run();
+  return BoxTreePairs(*this, excluded, keep, context).run();
 }
 
 }  // namespace quoin

@@ -77,16 +77,16 @@ void expect_pairs_without_common_label(const BoxTree& tree, std::size_t count) {
   std::vector<TilePair> expected = tree.self_pairs(context);
   std::erase_if(expected, [&](const TilePair& pair) { return !is_kept(pair); });
   const auto all = [](const TilePair&) { return true; };
-  EXPECT_EQ(tree.self_pairs(labels, all, context), expected);
+  EXPECT_EQ(tree.self_pairs({labels, {}}, all, context), expected);
   const auto odd = [](const TilePair& pair) { return pair.a % 2 != 0; };
   std::erase_if(expected, [&](const TilePair& pair) { return !odd(pair); });
-  EXPECT_EQ(tree.self_pairs(labels, odd, context), expected);
+  EXPECT_EQ(tree.self_pairs({labels, {}}, odd, context), expected);
   for (Tile& label : labels) label[1] = 7 + label[0] % 3;  // shared by all tiles of some nodes
   expected = tree.self_pairs(context);
   std::erase_if(expected, [&](const TilePair& pair) { return !is_kept(pair); });
-  EXPECT_EQ(tree.self_pairs(labels, all, context), expected);
+  EXPECT_EQ(tree.self_pairs({labels, {}}, all, context), expected);
   for (Tile& label : labels) label[1] = 7;
-  EXPECT_TRUE(tree.self_pairs(labels, all, context).empty());
+  EXPECT_TRUE(tree.self_pairs({labels, {}}, all, context).empty());
 }
 
 TEST(BoxTree, QueriesMissNothing) {

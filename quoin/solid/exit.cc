@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "quoin/base/error.h"
+#include "quoin/base/parallel.h"
 #include "quoin/solid/exit_check.h"
 #include "quoin/solid/exit_triangulation.h"
 #include "quoin/solid/leaf.h"
@@ -20,7 +21,7 @@ namespace {
 
 struct Positions {
   std::vector<Point3> points;  // per point of the boundary
-  std::vector<bool> moved;
+  std::vector<std::uint8_t> moved;
   std::size_t moved_count = 0;
   double displacement = 0;  // largest move of a coordinate
 };
@@ -38,50 +39,68 @@ double spacing(double value) {
   return std::nextafter(x, std::numeric_limits<double>::infinity()) - x;
 }
 
-// Nearest positions; a constructed coordinate that is no double moves by at most half the spacing there.
-Positions round_points(const Brep& boundary, Precision precision) {
+// A constructed coordinate that is no double moves by at most half the spacing there.
+double move_of(const Constructions& table, PointId id, const Point3& position) {
+  const Point3& near = table.rounded(id);
+  double move = 0;
+  for (std::size_t k = 0; k < 3; ++k) move = std::max(move, std::fabs(position[k] - near[k]));
+  if (!table.is_exact(id)) {
+    for (std::size_t k = 0; k < 3; ++k) move = std::max(move, std::fabs(position[k] - near[k]) + spacing(near[k]) / 2);
+  }
+  return move;
+}
+
+Positions round_points(const Brep& boundary, Precision precision, const Context& context) {
+  constexpr std::size_t grain = 16384;
+  struct Part {
+    std::size_t moved_count = 0;
+    double displacement = 0;
+  };
   const Constructions& table = boundary.points;
   Positions result;
   result.points.resize(table.point_count());
-  result.moved.assign(table.point_count(), false);
-  for (std::size_t i = 0; i < table.point_count(); ++i) {
-    const PointId id{i};
-    const Point3& near = table.rounded(id);
-    double move = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      result.points[i][k] = nearest(near[k], precision);
-      move = std::max(move, std::fabs(result.points[i][k] - near[k]));
+  result.moved.assign(table.point_count(), 0);
+  std::vector<Part> parts(chunk_count(table.point_count(), grain));
+  for_each_chunk(context, table.point_count(), grain, [&](const Chunk& chunk) {
+    Part& part = parts[chunk.index];
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      const Point3& near = table.rounded(PointId{i});
+      for (std::size_t k = 0; k < 3; ++k) result.points[i][k] = nearest(near[k], precision);
+      const double move = move_of(table, PointId{i}, result.points[i]);
+      if (move == 0) continue;
+      result.moved[i] = 1;
+      ++part.moved_count;
+      part.displacement = std::max(part.displacement, move);
     }
-    if (!table.is_exact(id)) {
-      for (std::size_t k = 0; k < 3; ++k)
-        move = std::max(move, std::fabs(result.points[i][k] - near[k]) + spacing(near[k]) / 2);
-    }
-    if (move > 0) {
-      result.moved[i] = true;
-      ++result.moved_count;
-      result.displacement = std::max(result.displacement, move);
-    }
+  });
+  for (const Part& part : parts) {
+    result.moved_count += part.moved_count;
+    result.displacement = std::max(result.displacement, part.displacement);
   }
   return result;
 }
 
 // Keeps only the vertices that triangles name, in place.
 void compact_vertices(Triangulated& result, std::vector<Point3> points) {
-  std::vector<std::uint32_t> number(points.size(), 0xFFFFFFFFU);
+  std::vector<std::uint8_t> is_named(points.size(), 0);
   for (const Tile& t : result.triangles) {
-    for (const std::uint32_t v : t) number[v] = 0;
+    for (const std::uint32_t v : t) is_named[v] = 1;
   }
-  std::uint32_t kept = 0;
-  for (std::size_t v = 0; v < points.size(); ++v) {
-    if (number[v] != 0) continue;
-    points[kept] = points[v];
-    number[v] = kept++;
+  const bool are_all_named = std::find(is_named.begin(), is_named.end(), 0) == is_named.end();
+  if (!are_all_named) {
+    std::vector<std::uint32_t> number(points.size());
+    std::uint32_t kept = 0;
+    for (std::size_t v = 0; v < points.size(); ++v) {
+      if (is_named[v] == 0) continue;
+      points[kept] = points[v];
+      number[v] = kept++;
+    }
+    points.resize(kept);
+    for (Tile& t : result.triangles) {
+      for (std::uint32_t& v : t) v = number[v];
+    }
   }
-  points.resize(kept);
   result.vertices = std::move(points);
-  for (Tile& t : result.triangles) {
-    for (std::uint32_t& v : t) v = number[v];
-  }
 }
 
 // A uniform grid of cells whose size is a power of two.
@@ -180,7 +199,7 @@ Triangulated triangulate_boundary(const Brep& boundary, const ExitOptions& optio
   std::vector<std::uint32_t> face_before;  // of the boundary, per triangle of the round before
   int bits = 24;
   for (unsigned round = 0;; ++round) {
-    Positions positions = round_points(*current, options.precision);
+    Positions positions = round_points(*current, options.precision, context);
     FaceTriangles faces = triangulate_faces(*current, positions.points, context);
     result.triangles = std::move(faces.triangles);
     result.triangle_face = std::move(faces.triangle_face);

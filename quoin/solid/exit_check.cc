@@ -15,7 +15,7 @@ namespace {
 
 class CrossingFinder {
  public:
-  CrossingFinder(std::span<const Point3> vertices, std::span<const Tile> triangles, const std::vector<bool>& moved,
+  CrossingFinder(std::span<const Point3> vertices, std::span<const Tile> triangles, std::span<const std::uint8_t> moved,
                  const Context& context)
       : vertices_(vertices), triangles_(triangles), moved_(moved), context_(context) {}
 
@@ -28,7 +28,7 @@ class CrossingFinder {
   }
 
  private:
-  bool has_moved(const Tile& t) const { return moved_[t[0]] || moved_[t[1]] || moved_[t[2]]; }
+  bool has_moved(const Tile& t) const { return (moved_[t[0]] | moved_[t[1]] | moved_[t[2]]) != 0; }
 
   void gather_moved() {
     for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
@@ -101,7 +101,7 @@ class CrossingFinder {
       number(triangles_[pair.b]);
     }
     table_ = Constructions(std::move(points));
-    constexpr std::size_t grain = 2048;
+    constexpr std::size_t grain = 256;
     std::vector<std::vector<TilePair>> found(chunk_count(pairs_.size(), grain));
     for_each_chunk(context_, pairs_.size(), grain, [&](const Chunk& chunk) {
       for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
@@ -145,7 +145,7 @@ class CrossingFinder {
 
   std::span<const Point3> vertices_;
   std::span<const Tile> triangles_;
-  const std::vector<bool>& moved_;
+  std::span<const std::uint8_t> moved_;
   const Context& context_;
   std::vector<std::uint32_t> moved_triangles_;
   std::vector<Tile> tiles_;  // those
@@ -158,7 +158,7 @@ class CrossingFinder {
 }  // namespace
 
 std::vector<TilePair> find_crossings(std::span<const Point3> vertices, std::span<const Tile> triangles,
-                                     const std::vector<bool>& moved, const Context& context) {
+                                     std::span<const std::uint8_t> moved, const Context& context) {
   return CrossingFinder(vertices, triangles, moved, context).run();
 }
 

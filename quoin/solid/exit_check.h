@@ -17,6 +17,6 @@ namespace quoin {
 /// Two vertices on one spot, a triangle without area and two triangles with the same corners count as crossings.
 /// `moved` is per vertex. Exact; the pairs in which nothing moved are taken to be apart. O(n log n + pairs).
 std::vector<TilePair> find_crossings(std::span<const Point3> vertices, std::span<const Tile> triangles,
-                                     const std::vector<bool>& moved, const Context& context);
+                                     std::span<const std::uint8_t> moved, const Context& context);
 
 }  // namespace quoin

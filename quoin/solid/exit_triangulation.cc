@@ -115,6 +115,8 @@ FaceTriangles triangulate_faces(const Brep& boundary, std::span<const Point3> po
   constexpr std::size_t grain = 4096;
   std::vector<FaceTriangles> parts(chunk_count(boundary.face_count(), grain));
   for_each_chunk(context, boundary.face_count(), grain, [&](const Chunk& chunk) {
+    parts[chunk.index].triangles.reserve(chunk.end - chunk.begin);
+    parts[chunk.index].triangle_face.reserve(chunk.end - chunk.begin);
     FaceTriangulator triangulator(boundary, positions, parts[chunk.index]);
     for (std::size_t f = chunk.begin; f < chunk.end; ++f) {
       if (f % 256 == 0) context.poll();
@@ -122,16 +124,22 @@ FaceTriangles triangulate_faces(const Brep& boundary, std::span<const Point3> po
     }
   });
   FaceTriangles all;
+  std::vector<std::size_t> begin;
   std::size_t count = 0;
-  for (const FaceTriangles& part : parts) count += part.triangles.size();
-  all.triangles.reserve(count);
-  all.triangle_face.reserve(count);
-  for (FaceTriangles& part : parts) {
-    all.triangles.insert(all.triangles.end(), part.triangles.begin(), part.triangles.end());
-    all.triangle_face.insert(all.triangle_face.end(), part.triangle_face.begin(), part.triangle_face.end());
+  for (const FaceTriangles& part : parts) {
+    begin.push_back(count);
+    count += part.triangles.size();
     all.failed_faces.insert(all.failed_faces.end(), part.failed_faces.begin(), part.failed_faces.end());
-    part = {};
   }
+  run_both(
+      context, [&] { all.triangles.resize(count); }, [&] { all.triangle_face.resize(count); });
+  for_each_chunk(context, parts.size(), 1, [&](const Chunk& chunk) {
+    FaceTriangles& part = parts[chunk.index];
+    const auto at = static_cast<std::ptrdiff_t>(begin[chunk.index]);
+    std::copy(part.triangles.begin(), part.triangles.end(), all.triangles.begin() + at);
+    std::copy(part.triangle_face.begin(), part.triangle_face.end(), all.triangle_face.begin() + at);
+    part = {};
+  });
   return all;
 }
 

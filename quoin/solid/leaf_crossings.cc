@@ -7,6 +7,7 @@
 #include "quoin/solid/leaf_tiles.h"
 #include "quoin/solid/overlay/contacts.h"
 #include "quoin/solid/overlay/winding.h"
+#include "quoin/solid/patch_certificate.h"
 #include "quoin/solid/star_certificate.h"
 
 namespace quoin {
@@ -17,7 +18,12 @@ namespace {
 class SelfCrossings {
  public:
   SelfCrossings(const Leaf& leaf, const Constructions& points, const Context& context)
-      : leaf_(leaf), points_(points), certified_(certify_stars(leaf, context)) {}
+      : leaf_(leaf),
+        points_(points),
+        patches_(find_patches(leaf, points, context)),
+        certified_(certify_stars(leaf, patches_.is_seam, context)) {}
+
+  const std::vector<std::uint8_t>& patches() const { return patches_.is_patch; }
 
   // Tiles that share a certified vertex meet in nothing else.
   std::vector<Tile> certified_corners() const {
@@ -44,6 +50,7 @@ class SelfCrossings {
 
   const Leaf& leaf_;
   const Constructions& points_;
+  Patches patches_;
   std::vector<std::uint8_t> certified_;  // per vertex
 };
 
@@ -53,8 +60,9 @@ void find_self_crossings(Leaf& leaf, const Constructions& points, std::size_t ma
                          const Context& context) {
   context.progress("self-crossings", 0);
   const SelfCrossings crossings(leaf, points, context);
+  const std::vector<Tile> labels = crossings.certified_corners();
   const std::vector<TilePair> pairs = leaf.tree.self_pairs(
-      crossings.certified_corners(), [&](const TilePair& pair) { return crossings.meet(pair); }, context);
+      {labels, crossings.patches()}, [&](const TilePair& pair) { return crossings.meet(pair); }, context);
   std::vector<FacePair> all;
   for (const TilePair& pair : pairs) {
     const auto [a, b] = std::minmax(leaf.tile_face[pair.a], leaf.tile_face[pair.b]);

@@ -184,11 +184,15 @@ TEST(StarCertificate, NeverHidesACrossing) {
   EXPECT_GT(crossing, 200U);
 }
 
+std::vector<std::uint8_t> all_of(const Leaf& leaf) {
+  return std::vector<std::uint8_t>(leaf.vertices.size(), 1);
+}
+
 // Edges of regular cones lie in the plane of the half-line itself.
 TEST(StarCertificate, CertifiesTheApexOfRegularCones) {
   for (const std::uint32_t sides : {3U, 4U, 8U, 1000U}) {
     const LeafResult cone = leaf_of(shapes::pyramid(sides, 1, 1));
-    const std::vector<std::uint8_t> certified = certify_stars(*cone.leaf, context);
+    const std::vector<std::uint8_t> certified = certify_stars(*cone.leaf, all_of(*cone.leaf), context);
     for (std::size_t v = 0; v < certified.size(); ++v) {
       if (cone.leaf->vertices[v].z != 1) continue;
       EXPECT_EQ(certified[v], 1) << sides << " sides";
@@ -198,7 +202,7 @@ TEST(StarCertificate, CertifiesTheApexOfRegularCones) {
 
 TEST(StarCertificate, CertifiesSmoothSurfaces) {
   const LeafResult sphere = leaf_of(shapes::geodesic_sphere(30));
-  const std::vector<std::uint8_t> certified = certify_stars(*sphere.leaf, context);
+  const std::vector<std::uint8_t> certified = certify_stars(*sphere.leaf, all_of(*sphere.leaf), context);
   EXPECT_GT(std::count(certified.begin(), certified.end(), 1), 9 * static_cast<std::ptrdiff_t>(certified.size()) / 10);
 }
 

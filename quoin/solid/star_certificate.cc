@@ -86,8 +86,16 @@ struct View {
 
 class StarCertifier {
  public:
-  StarCertifier(const Leaf& leaf, const Context& context)
-      : leaf_(leaf), context_(context), views_(leaf.vertices.size()), turns_(leaf.vertices.size(), 0) {}
+  StarCertifier(const Leaf& leaf, std::span<const std::uint8_t> wanted, const Context& context)
+      : leaf_(leaf), wanted_(wanted), context_(context), turns_(leaf.vertices.size(), 0) {
+    view_of_.resize(leaf.vertices.size());
+    std::uint32_t count = 0;
+    for (std::size_t v = 0; v < wanted.size(); ++v) {
+      view_of_[v] = count;
+      count += wanted[v] != 0 ? 1U : 0U;
+    }
+    views_.resize(count);
+  }
 
   std::vector<std::uint8_t> run() {
     sum_normals();
@@ -103,26 +111,33 @@ class StarCertifier {
  private:
   static constexpr std::uint8_t uncertain = 0x80;
 
+  bool is_wanted(const Tile& tile) const { return (wanted_[tile[0]] | wanted_[tile[1]] | wanted_[tile[2]]) != 0; }
+
   void sum_normals() {
     for (std::uint32_t t = 0; t < leaf_.tiles.size(); ++t) {
       if (t % 16384 == 0) context_.poll();
       const Tile& tile = leaf_.tiles[t];
+      if (!is_wanted(tile)) continue;
       const Edges edges(leaf_.vertices, tile);
       for (const std::uint32_t v : tile) {
-        views_[v].d.x += edges.normal.x;
-        views_[v].d.y += edges.normal.y;
-        views_[v].d.z += edges.normal.z;
+        if (wanted_[v] == 0) continue;
+        View& view = views_[view_of_[v]];
+        view.d.x += edges.normal.x;
+        view.d.y += edges.normal.y;
+        view.d.z += edges.normal.z;
       }
     }
   }
 
   void look_at(std::uint32_t t) {
     const Tile& tile = leaf_.tiles[t];
+    if (!is_wanted(tile)) return;
     const Edges edges(leaf_.vertices, tile);
     const double normal_size = edges.size[0] * edges.size[2];
     for (std::size_t k = 0; k < 3; ++k) {
+      if (wanted_[tile[k]] == 0) continue;
       const std::size_t before = (k + 2) % 3;
-      const View& view = views_[tile[k]];
+      const View& view = views_[view_of_[tile[k]]];
       const double det = dot(edges.normal, view.d);
       const bool has_twins = (leaf_.twins[3 * t + k] != Leaf::no_twin) & (leaf_.twins[3 * t + before] != Leaf::no_twin);
       const bool is_turning =
@@ -149,16 +164,19 @@ class StarCertifier {
   }
 
   const Leaf& leaf_;
+  std::span<const std::uint8_t> wanted_;
   const Context& context_;
+  std::vector<std::uint32_t> view_of_;  // per vertex that is wanted
   std::vector<View> views_;
   std::vector<std::uint8_t> turns_;  // how often each star passes the half-line, up to 3, and whether that is uncertain
 };
 
 }  // namespace
 
-std::vector<std::uint8_t> certify_stars(const Leaf& leaf, const Context& context) {
+std::vector<std::uint8_t> certify_stars(const Leaf& leaf, std::span<const std::uint8_t> wanted,
+                                        const Context& context) {
   if (!leaf.exact_vertices.empty()) return std::vector<std::uint8_t>(leaf.vertices.size(), 0);
-  return StarCertifier(leaf, context).run();
+  return StarCertifier(leaf, wanted, context).run();
 }
 
 }  // namespace quoin

@@ -128,14 +128,19 @@ class Emitter {
 
   void resize() {
     const Place& all = places_.back();
-    brep_.face_planes.resize(all.faces);
-    brep_.face_shells.resize(all.faces);
-    brep_.face_first_loop.resize(std::size_t{all.faces} + 1);
-    brep_.face_first_origin.resize(std::size_t{all.faces} + 1);
-    brep_.loop_begin.resize(std::size_t{all.loops} + 1);
-    brep_.loop_vertices.resize(all.vertices);
-    brep_.origins.resize(all.origins);
-    if (has_colors_) brep_.face_colors.resize(all.faces);
+    const auto of_faces = [&] {
+      brep_.face_planes.resize(all.faces);
+      brep_.face_shells.resize(all.faces);
+      brep_.face_first_loop.resize(std::size_t{all.faces} + 1);
+      if (has_colors_) brep_.face_colors.resize(all.faces);
+    };
+    const auto of_parts = [&] {
+      brep_.face_first_origin.resize(std::size_t{all.faces} + 1);
+      brep_.loop_begin.resize(std::size_t{all.loops} + 1);
+      brep_.loop_vertices.resize(all.vertices);
+      brep_.origins.resize(all.origins);
+    };
+    run_both(context_, of_faces, of_parts);  // touching fresh memory takes longer than writing to it
     brep_.shells.assign(parts_.shell_count, Shell{false});
   }
 

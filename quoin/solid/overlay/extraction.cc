@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "quoin/base/disjoint_sets.h"
+#include "quoin/base/parallel_sort.h"
 #include "quoin/kernel/projection.h"
 #include "quoin/solid/overlay/emission.h"
 #include "quoin/solid/overlay/face_loops.h"
@@ -36,7 +37,8 @@ class FaceMerger {
         context_(context),
         faces_(sheets.count()),
         shells_(complex.patches.size()),
-        in_face_(sheets.count(), 0) {
+        in_face_(sheets.count(), 0),
+        face_with_facet_(scene_.facets.size(), none) {
     for (const auto& leaf : scene_.leaves) has_colors_ = has_colors_ || !leaf->face_colors.empty();
   }
 
@@ -44,8 +46,7 @@ class FaceMerger {
     join_flat_tiles();
     join_fans();
     gather_tile_edges();
-    std::sort(edges_.begin(), edges_.end());
-    context_.poll();
+    sort_parallel(context_, edges_);
     compose_faces();
     number_shells();
     parts_.sheets = &sheets_;
@@ -75,7 +76,10 @@ class FaceMerger {
       parts_.composed.origins.push_back(origin(sheet));
       return;
     }
+    const auto face = static_cast<std::uint32_t>(parts_.composed.face_planes.size());
     for (const std::uint32_t facet : sheets_.subdivision->covers_of(sheets_.region(sheet))) {
+      if (face_with_facet_[facet] == face) continue;
+      face_with_facet_[facet] = face;
       parts_.composed.origins.push_back(origin_of_facet(facet));
     }
   }
@@ -199,7 +203,7 @@ class FaceMerger {
         parts_.composed_sheets.push_back(s);
       }
     }
-    std::sort(members_.begin(), members_.end());
+    sort_parallel(context_, members_);
   }
 
   void compose_faces() {
@@ -261,9 +265,10 @@ class FaceMerger {
   const CellTruth& truth_;
   const KeptSheets& kept_;
   const Context& context_;
-  DisjointSets faces_;                 // of sheets
-  DisjointSets shells_;                // of patches
-  std::vector<std::uint8_t> in_face_;  // per sheet: its face is chained from edges
+  DisjointSets faces_;                          // of sheets
+  DisjointSets shells_;                         // of patches
+  std::vector<std::uint8_t> in_face_;           // per sheet: its face is chained from edges
+  std::vector<std::uint32_t> face_with_facet_;  // per facet: the last composed face that it is an origin of
   std::vector<FaceEdge> edges_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> members_;  // face, sheet
   bool has_colors_ = false;

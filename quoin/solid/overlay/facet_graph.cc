@@ -77,11 +77,16 @@ void FacetGraph::add_chain(std::uint32_t line) {
   for (std::size_t i = 0; i + 1 < chain_.size(); ++i) raw_.push_back({chain_[i], chain_[i + 1], line});
 }
 
+// Pieces of one chain begin where the one before ends.
+bool FacetGraph::follows(std::size_t piece) const {
+  return piece > 0 && raw_[piece].from == raw_[piece - 1].to;
+}
+
 void FacetGraph::number_nodes() {
   nodes_.clear();
-  for (const RawPiece& piece : raw_) {
-    nodes_.push_back(piece.from);
-    nodes_.push_back(piece.to);
+  for (std::size_t i = 0; i < raw_.size(); ++i) {
+    if (!follows(i)) nodes_.push_back(raw_[i].from);
+    nodes_.push_back(raw_[i].to);
   }
   std::sort(nodes_.begin(), nodes_.end());
   nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
@@ -89,7 +94,12 @@ void FacetGraph::number_nodes() {
     return static_cast<std::uint32_t>(std::lower_bound(nodes_.begin(), nodes_.end(), p) - nodes_.begin());
   };
   pieces_.clear();
-  for (const RawPiece& piece : raw_) pieces_.push_back({{number(piece.from), number(piece.to)}, piece.line});
+  std::uint32_t last = 0;
+  for (std::size_t i = 0; i < raw_.size(); ++i) {
+    const std::uint32_t from = follows(i) ? last : number(raw_[i].from);
+    last = number(raw_[i].to);
+    pieces_.push_back({{from, last}, raw_[i].line});
+  }
   std::stable_sort(pieces_.begin(), pieces_.end(),
                    [&](const Piece& p, const Piece& q) { return ends_of(p) < ends_of(q); });
 }

@@ -70,6 +70,7 @@ class FacetGraph {
   void add_curves();
   void add_chain(std::uint32_t line);
   void sort_chain();
+  bool follows(std::size_t piece) const;
   void number_nodes();
   void drop_duplicates();
   void gather_units();

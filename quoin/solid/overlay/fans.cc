@@ -23,9 +23,7 @@ class FanBuilder {
   Fans run() {
     gather_sides();
     context_.poll();
-    std::sort(fans_.sides.begin(), fans_.sides.end(), [](const Side& a, const Side& b) {
-      return std::tie(a.from, a.to, a.sheet, a.forward) < std::tie(b.from, b.to, b.sheet, b.forward);
-    });
+    sort_sides();
     context_.poll();
     group_sides();
     order_fans();
@@ -66,6 +64,25 @@ class FanBuilder {
       const std::array<PointId, 3> corners = scene_.corners(twin.tile, facet.leaf);
       add_side(corners[twin.edge], corners[(twin.edge + 1) % 3], twin.tile);
     }
+  }
+
+  // By edge, sheet and direction: counted into one bucket per smaller end, then each bucket by itself.
+  void sort_sides() {
+    constexpr std::size_t grain = 1024;
+    std::vector<std::uint32_t> first(scene_.table.point_count() + 1, 0);
+    for (const Side& side : fans_.sides) ++first[side.from.index() + 1];
+    for (std::size_t p = 0; p + 1 < first.size(); ++p) first[p + 1] += first[p];
+    std::vector<Side> sorted(fans_.sides.size());
+    std::vector<std::uint32_t> fill(first.begin(), first.end() - 1);
+    for (const Side& side : fans_.sides) sorted[fill[side.from.index()]++] = side;
+    fans_.sides.swap(sorted);
+    for_each_chunk(context_, fill.size(), grain, [&](const Chunk& chunk) {
+      for (std::size_t p = chunk.begin; p < chunk.end; ++p) {
+        std::sort(fans_.sides.begin() + first[p], fans_.sides.begin() + first[p + 1], [](const Side& a, const Side& b) {
+          return std::tie(a.to, a.sheet, a.forward) < std::tie(b.to, b.sheet, b.forward);
+        });
+      }
+    });
   }
 
   void group_sides() {

@@ -6,6 +6,7 @@
 
 #include "quoin/base/error.h"
 #include "quoin/base/parallel.h"
+#include "quoin/base/parallel_sort.h"
 
 namespace quoin::overlay {
 
@@ -19,8 +20,8 @@ struct AxisPlane {
 };
 
 template <class T>
-void sort_unique(std::vector<T>& list) {
-  std::sort(list.begin(), list.end());
+void sort_unique(std::vector<T>& list, const Context& context) {
+  sort_parallel(context, list);
   list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
@@ -60,7 +61,7 @@ class NetworkBuilder {
 
   void number_contacts() {
     for (const Contacts& part : found_) keys_.insert(keys_.end(), part.keys.begin(), part.keys.end());
-    sort_unique(keys_);
+    sort_unique(keys_, context_);
     first_contact_ = scene_.table.point_count();
     ids_.resize(found_.size());
     for_each_chunk(context_, found_.size(), 1, [&](const Chunk& chunk) {
@@ -81,7 +82,7 @@ class NetworkBuilder {
       for (const Contacts& part : found_) {
         met_edges.insert(met_edges.end(), part.met_edges.begin(), part.met_edges.end());
       }
-      sort_unique(met_edges);
+      sort_unique(met_edges, context_);
     }
     network_.clusters = make_clusters(scene_, overlapping, met_edges);
   }
@@ -90,18 +91,31 @@ class NetworkBuilder {
     return ref.is_contact() ? ids_[part][ref.contact_index()] : PointId{ref.value};
   }
 
+  // Many points lie on one edge, mostly of one chunk.
+  std::vector<Edge> gather_cut_edges() const {
+    std::vector<std::vector<Edge>> parts(found_.size());
+    for_each_chunk(context_, found_.size(), 1, [&](const Chunk& chunk) {
+      std::vector<Edge>& edges = parts[chunk.index];
+      for (const EdgePoint& p : found_[chunk.index].edge_points) edges.push_back(p.edge);
+      std::sort(edges.begin(), edges.end());
+      edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    });
+    std::vector<Edge> all;
+    for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
+    sort_unique(all, context_);
+    return all;
+  }
+
   // Facets with points on their boundary or inside are cut; with an edge that others may share, they are involved.
   void mark_facets() {
-    std::vector<Edge> cut_edges;
+    const std::vector<Edge> cut_edges = gather_cut_edges();
     network_.cut = network_.clusters.is_shared;
     network_.involved.assign(scene_.facets.size(), false);
     for (const Contacts& part : found_) {
-      for (const EdgePoint& p : part.edge_points) cut_edges.push_back(p.edge);
       for (const FacetPoint& p : part.facet_points) network_.cut[p.facet] = true;
       for (const Trace& t : part.traces) network_.cut[t.facet] = true;
       for (const FacetPair& p : part.adjoining) network_.involved[p.a] = network_.involved[p.b] = true;
     }
-    sort_unique(cut_edges);
     for (std::size_t f = 0; f < scene_.facets.size(); ++f) {
       const Facet& facet = scene_.facets[f];
       for (std::size_t k = 0; k < 3; ++k) {
@@ -152,7 +166,7 @@ class NetworkBuilder {
       if (key.d != none) axis_planes_.push_back(plane_through_second(key));
     }
     for (const ClusterEdge& e : network_.clusters.edges) axis_planes_.push_back(plane_of_edge(e));
-    sort_unique(axis_planes_);
+    sort_unique(axis_planes_, context_);
     Constructions& table = scene_.table;
     table.resize_planes(scene_.facets.size() + axis_planes_.size());
     for_each_chunk(context_, axis_planes_.size(), 512, [&](const Chunk& chunk) {
@@ -191,7 +205,7 @@ class NetworkBuilder {
       for (const EdgePoint& p : part.edge_points) add(p.point);
       for (const FacetPoint& p : part.facet_points) add(p.point);
     }
-    sort_unique(corners);
+    sort_unique(corners, context_);
     for (const std::uint32_t p : corners) network_.merger.insert(PointId{p});
     canonical_.resize(keys_.size());
     for (std::size_t i = 0; i < keys_.size(); ++i) {
@@ -211,8 +225,8 @@ class NetworkBuilder {
         network_.facet_points.push_back({network_.clusters.of[p.facet], canonical(id_of(part, p.point))});
       }
     }
-    sort_unique(network_.edge_points);
-    sort_unique(network_.facet_points);
+    sort_unique(network_.edge_points, context_);
+    sort_unique(network_.facet_points, context_);
   }
 
   // A wall that stands on a cluster along an edge that the cluster has anyway.
@@ -237,7 +251,7 @@ class NetworkBuilder {
       curves.push_back({e.cluster, PointId{e.edge.a}, PointId{e.edge.b}, id_of(plane_of_edge(e)), e.edge});
     }
     const auto place = [](const Curve& c) { return std::tuple(c.facet, c.from, c.to); };
-    std::sort(curves.begin(), curves.end(), [&](const Curve& x, const Curve& y) {
+    sort_parallel(context_, curves, [&](const Curve& x, const Curve& y) {
       const auto rest = [](const Curve& c) { return std::tuple(!c.is_along_edge(), c.cut); };
       return std::tuple_cat(place(x), rest(x)) < std::tuple_cat(place(y), rest(y));
     });

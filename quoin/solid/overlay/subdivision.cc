@@ -260,22 +260,39 @@ void append(Subdivision& all, const Subdivision& part) {
   all.loop_vertices.insert(all.loop_vertices.end(), part.loop_vertices.begin(), part.loop_vertices.end());
 }
 
+// Where chunks of facets begin, and the end: of about as many curves each, since one facet may be cut by thousands.
+std::vector<std::size_t> chunk_begins(std::span<const std::uint32_t> facets, const Network& network) {
+  constexpr std::size_t weight_of_facet = 4;
+  constexpr std::size_t weight_of_chunk = 512;
+  std::vector<std::size_t> begins;
+  std::size_t weight = weight_of_chunk;
+  for (std::size_t i = 0; i < facets.size(); ++i) {
+    if (weight >= weight_of_chunk) {
+      begins.push_back(i);
+      weight = 0;
+    }
+    weight += weight_of_facet + network.curves_in(facets[i]).size();
+  }
+  begins.push_back(facets.size());
+  return begins;
+}
+
 }  // namespace
 
 Subdivision subdivide(Scene& scene, const Network& network, std::span<const PointOnCurve> crossings,
                       const Context& context) {
-  constexpr std::size_t grain = 64;
   std::vector<std::uint32_t> facets;
   for (std::uint32_t f = 0; f < scene.facets.size(); ++f) {
     if (network.cut[f] && network.clusters.of[f] == f) facets.push_back(f);
   }
   scene.table.resize_lines(network.curves.size() + 3 * facets.size());
   context.progress("subdivision", 0);
-  std::vector<Subdivision> parts(chunk_count(facets.size(), grain));
-  for_each_chunk(context, facets.size(), grain, [&](const Chunk& chunk) {
+  const std::vector<std::size_t> begins = chunk_begins(facets, network);
+  std::vector<Subdivision> parts(begins.size() - 1);
+  for_each_chunk(context, parts.size(), 1, [&](const Chunk& chunk) {
     FacetGraph graph(scene, network, crossings);
     RegionTracer tracer(graph, scene, network.clusters, parts[chunk.index]);
-    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+    for (std::size_t i = begins[chunk.index]; i < begins[chunk.index + 1]; ++i) {
       graph.build(facets[i], network.curves.size() + 3 * i);
       if (network.clusters.is_shared[facets[i]]) {
         tracer.run_cluster();
