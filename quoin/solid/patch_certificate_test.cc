@@ -161,6 +161,13 @@ TEST(PatchCertificate, FlatGridsArePatches) {
   EXPECT_EQ(outcome.crossings, 0U);
 }
 
+// The rim of one piece lies within that of the other, whose tiles it crosses without touching its rim.
+TEST(PatchCertificate, PiecesOverOneAnotherAreNoPatch) {
+  const Mesh wide = sheet(24, 24, [](double s, double t) { return Point3{24 * s, 24 * t, 0}; });
+  const Mesh narrow = sheet(8, 8, [](double s, double t) { return Point3{8.3 + 7 * s, 8.2 + 7 * t, s - 0.5}; });
+  EXPECT_GT(compare(shapes::joined({wide, narrow})).crossings, 0U);
+}
+
 TEST(PatchCertificate, SolidsInOneAnotherAndCopies) {
   const Mesh sphere = shapes::geodesic_sphere(8);
   compare(shapes::joined({sphere, sphere}));
