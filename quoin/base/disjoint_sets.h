@@ -8,7 +8,7 @@
 namespace quoin {
 
 /// Disjoint sets of 0 ... n-1; the smallest member stands for its set, so the result does not depend on the order of
-/// unions.
+/// unions. Different threads may join and find within ranges of members that no set crosses.
 class DisjointSets {
  public:
   explicit DisjointSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0U); }

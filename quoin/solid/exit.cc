@@ -80,12 +80,17 @@ Positions round_points(const Brep& boundary, Precision precision, const Context&
   return result;
 }
 
-// Keeps only the vertices that triangles name, in place.
-void compact_vertices(Triangulated& result, std::vector<Point3> points) {
-  std::vector<std::uint8_t> is_named(points.size(), 0);
-  for (const Tile& t : result.triangles) {
-    for (const std::uint32_t v : t) is_named[v] = 1;
+// Per point, 1: a triangle names it.
+std::vector<std::uint8_t> named_points(std::span<const Tile> triangles, std::size_t point_count) {
+  std::vector<std::uint8_t> result(point_count, 0);
+  for (const Tile& t : triangles) {
+    for (const std::uint32_t v : t) result[v] = 1;
   }
+  return result;
+}
+
+// Keeps only the named vertices, in place.
+void set_vertices(Triangulated& result, std::vector<Point3> points, std::span<const std::uint8_t> is_named) {
   const bool are_all_named = std::find(is_named.begin(), is_named.end(), 0) == is_named.end();
   if (!are_all_named) {
     std::vector<std::uint32_t> number(points.size());
@@ -207,18 +212,22 @@ Triangulated triangulate_boundary(const Brep& boundary, const ExitOptions& optio
     result.moved_vertices = std::max(result.moved_vertices, positions.moved_count);
     result.rounds = round;
     result.crossings.clear();
+    std::vector<std::uint8_t> is_named;
+    const auto find_named = [&] { is_named = named_points(result.triangles, positions.points.size()); };
     if (positions.moved_count == 0 && faces.failed_faces.empty()) {
+      find_named();
       name_original_faces(result, *current, face_before);
       result.rounding = round == 0 ? Rounding::exact : Rounding::certified;
-      compact_vertices(result, std::move(positions.points));
+      set_vertices(result, std::move(positions.points), is_named);
       return result;
     }
-    result.crossings = find_crossings(positions.points, result.triangles, positions.moved, context);
+    run_both(context, find_named,
+             [&] { result.crossings = find_crossings(positions.points, result.triangles, positions.moved, context); });
     add_failed_faces(result, faces.failed_faces);
     name_original_faces(result, *current, face_before);
     if (result.crossings.empty()) {
       result.rounding = Rounding::certified;
-      compact_vertices(result, std::move(positions.points));
+      set_vertices(result, std::move(positions.points), is_named);
       return result;
     }
     std::vector<Point3> points = positions.points;
@@ -230,7 +239,7 @@ Triangulated triangulate_boundary(const Brep& boundary, const ExitOptions& optio
     if (!next) {
       result.rounding = Rounding::failed;
       if (result.crossings.size() > options.max_listed) result.crossings.resize(options.max_listed);
-      compact_vertices(result, std::move(positions.points));
+      set_vertices(result, std::move(positions.points), is_named);
       return result;
     }
     result.max_displacement += displacement;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 
 #include "quoin/base/parallel.h"
 #include "quoin/solid/brep.h"
@@ -82,7 +83,7 @@ void mark_flat_edges(Leaf& leaf, const Constructions& points, const Context& con
 }
 
 // All but tiles and vertices.
-LeafResult finish(const std::shared_ptr<Leaf>& leaf, const Constructions& points, LeafResult result,
+LeafResult finish(const std::shared_ptr<Leaf>& leaf, Constructions points, LeafResult result,
                   const LeafOptions& options, const Context& context) {
   match_twins(*leaf, options.max_listed, result.diagnosis, context);
   note_duplicates(*leaf, options.max_listed, result.diagnosis);
@@ -91,7 +92,9 @@ LeafResult finish(const std::shared_ptr<Leaf>& leaf, const Constructions& points
   leaf->crosses_itself = true;
   if (options.find_crossings) find_self_crossings(*leaf, points, options.max_listed, result.diagnosis, context);
   if (!result.diagnosis.is_closed()) return result;
-  if (!leaf->crosses_itself) find_inverted_components(leaf, options.max_listed, result.diagnosis, context);
+  if (!leaf->crosses_itself) {
+    find_inverted_components(leaf, std::move(points), options.max_listed, result.diagnosis, context);
+  }
   result.leaf = leaf;
   return result;
 }
@@ -105,12 +108,12 @@ LeafResult make_leaf(const Mesh& mesh, const LeafOptions& options, const Context
   leaf->vertices = plain_zeros(mesh.vertices);
   leaf->name = mesh.name;
   leaf->face_colors = mesh.face_colors;
-  const Constructions points(leaf->vertices);
+  Constructions points(leaf->vertices);
   context.progress("faces", 0);
   MeshTiles tiles = make_tiles(mesh, points, options.max_listed, result.diagnosis, context);
   leaf->tiles = std::move(tiles.tiles);
   leaf->tile_face = std::move(tiles.tile_face);
-  return finish(leaf, points, std::move(result), options, context);
+  return finish(leaf, std::move(points), std::move(result), options, context);
 }
 
 LeafResult make_leaf(const Brep& boundary, const std::string& name, const LeafOptions& options,
@@ -118,7 +121,7 @@ LeafResult make_leaf(const Brep& boundary, const std::string& name, const LeafOp
   LeafResult result;
   auto leaf = std::make_shared<Leaf>();
   leaf->exact_vertices = exact_points(boundary.points, context);
-  const Constructions points(leaf->exact_vertices);
+  Constructions points(leaf->exact_vertices);
   for (std::size_t v = 0; v < points.point_count(); ++v) leaf->vertices.push_back(points.rounded(PointId{v}));
   if (note_not_finite(leaf->vertices, options.max_listed, result.diagnosis)) return result;
   leaf->name = name;
@@ -128,7 +131,7 @@ LeafResult make_leaf(const Brep& boundary, const std::string& name, const LeafOp
   if (result.diagnosis.not_planar_faces.count + result.diagnosis.not_simple_faces.count != 0) return result;
   leaf->tiles = std::move(tiles.tiles);
   leaf->tile_face = std::move(tiles.tile_face);
-  return finish(leaf, points, std::move(result), options, context);
+  return finish(leaf, std::move(points), std::move(result), options, context);
 }
 
 }  // namespace quoin

@@ -2,6 +2,7 @@
 #include "quoin/solid/leaf_crossings.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "quoin/base/disjoint_sets.h"
 #include "quoin/solid/leaf_tiles.h"
@@ -74,14 +75,13 @@ void find_self_crossings(Leaf& leaf, const Constructions& points, std::size_t ma
   for (const FacePair& pair : all) note(diagnosis.crossing_faces, pair, max_listed);
 }
 
-void find_inverted_components(const std::shared_ptr<const Leaf>& leaf, std::size_t max_listed, MeshDiagnosis& diagnosis,
-                              const Context& context) {
+void find_inverted_components(const std::shared_ptr<const Leaf>& leaf, Constructions points, std::size_t max_listed,
+                              MeshDiagnosis& diagnosis, const Context& context) {
   DisjointSets components(leaf->tiles.size());
   for (std::uint32_t h = 0; h < leaf->twins.size(); ++h) {
     if (leaf->twins[h] != Leaf::no_twin && leaf->twins[h] > h) components.unite(h / 3, leaf->twins[h] / 3);
   }
-  const std::shared_ptr<const Leaf> leaves[] = {leaf};
-  const overlay::Scene scene = overlay::make_unpaired_scene(leaves);
+  const overlay::Scene scene = overlay::make_unpaired_scene(leaf, std::move(points));
   const overlay::Subdivision nothing_cut;
   const overlay::Sheets sheets{&scene, nullptr, &nothing_cut};
   for (std::uint32_t t = 0; t < leaf->tiles.size(); ++t) {

@@ -12,8 +12,8 @@ void find_self_crossings(Leaf& leaf, const Constructions& points, std::size_t ma
                          const Context& context);
 
 /// Notes a face of each edge-connected component in front of which the winding number is not 0, or behind which it is
-/// not 1. For leaves that do not cross themselves. O(n + log n per component).
-void find_inverted_components(const std::shared_ptr<const Leaf>& leaf, std::size_t max_listed, MeshDiagnosis& diagnosis,
-                              const Context& context);
+/// not 1. For leaves that do not cross themselves. `points` holds the leaf's vertices. O(n + log n per component).
+void find_inverted_components(const std::shared_ptr<const Leaf>& leaf, Constructions points, std::size_t max_listed,
+                              MeshDiagnosis& diagnosis, const Context& context);
 
 }  // namespace quoin

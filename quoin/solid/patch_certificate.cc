@@ -11,7 +11,7 @@ namespace quoin {
 namespace {
 
 constexpr std::size_t smallest_patch = 64;
-constexpr std::size_t largest_patch = 4096;
+constexpr std::size_t largest_patch = 65536;
 constexpr std::size_t normal_samples = 16;
 constexpr std::size_t tests_per_edge = 64;  // of a rim, before the patch is given up
 

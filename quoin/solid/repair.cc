@@ -227,7 +227,7 @@ class MeshRepair {
       component_of_leaf.push_back(c);
     }
     const overlay::Subdivision nothing_cut;
-    overlay::Scene scene = overlay::make_unpaired_scene(leaves);
+    overlay::Scene scene = overlay::make_unpaired_scene(leaves, context_);
     const overlay::Sheets sheets{&scene, nullptr, &nothing_cut};
     for (std::uint32_t l = 0; l < leaves.size(); ++l) {
       context_.poll();

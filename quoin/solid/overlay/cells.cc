@@ -5,6 +5,7 @@
 
 #include "quoin/base/disjoint_sets.h"
 #include "quoin/base/error.h"
+#include "quoin/base/parallel.h"
 
 namespace quoin::overlay {
 
@@ -33,19 +34,22 @@ class CellBuilder {
     return facet != none && sheets_.network->involved[facet];
   }
 
-  // Edges between tiles of which none is involved; the others occur in fans.
+  // Edges between tiles of which none is involved; the others occur in fans. Such edges stay within a leaf.
   void join_tiles() {
+    for_each_chunk(context_, sheets_.scene->leaves.size(), 1,
+                   [&](const Chunk& chunk) { join_tiles_of(static_cast<std::uint32_t>(chunk.index)); });
+  }
+
+  void join_tiles_of(std::uint32_t leaf) {
     const Scene& scene = *sheets_.scene;
-    for (std::uint32_t leaf = 0; leaf < scene.leaves.size(); ++leaf) {
-      const std::vector<std::uint32_t>& twins = scene.leaves[leaf]->twins;
-      const std::uint32_t first = scene.first_tile[leaf];
-      for (std::uint32_t h = 0; h < twins.size(); ++h) {
-        if (h % 65536 == 0) context_.poll();
-        if (twins[h] == Leaf::no_twin || twins[h] < h) continue;
-        const std::uint32_t a = first + h / 3;
-        const std::uint32_t b = first + twins[h] / 3;
-        if (!is_involved(a) && !is_involved(b)) patch_sets_.unite(a, b);
-      }
+    const std::vector<std::uint32_t>& twins = scene.leaves[leaf]->twins;
+    const std::uint32_t first = scene.first_tile[leaf];
+    for (std::uint32_t h = 0; h < twins.size(); ++h) {
+      if (h % 65536 == 0) context_.poll();
+      if (twins[h] == Leaf::no_twin || twins[h] < h) continue;
+      const std::uint32_t a = first + h / 3;
+      const std::uint32_t b = first + twins[h] / 3;
+      if (!is_involved(a) && !is_involved(b)) patch_sets_.unite(a, b);
     }
   }
 

@@ -58,8 +58,8 @@ class Emitter {
 
   Brep run() {
     count();
-    number_points();
-    resize();
+    run_both(
+        context_, [&] { number_points(); }, [&] { resize(); });
     for_each_chunk(context_, sheet_count_, grain, [&](const Chunk& chunk) { fill(chunk); });
     for (const auto& leaf : scene_.leaves) brep_.leaf_names.push_back(leaf->name);
     return std::move(brep_);

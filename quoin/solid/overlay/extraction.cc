@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "quoin/base/disjoint_sets.h"
+#include "quoin/base/parallel.h"
 #include "quoin/base/parallel_sort.h"
 #include "quoin/kernel/projection.h"
 #include "quoin/solid/overlay/emission.h"
@@ -105,17 +106,21 @@ class FaceMerger {
     return !is_involved(tile) && !is_involved(neighbour) && kept_.is_kept(tile);
   }
 
+  // Each leaf by itself, as all that is written here.
   void join_flat_tiles() {
-    for (std::uint32_t leaf = 0; leaf < scene_.leaves.size(); ++leaf) {
-      const Leaf& l = *scene_.leaves[leaf];
-      const std::uint32_t first = scene_.first_tile[leaf];
-      for (std::uint32_t h = 0; h < l.twins.size(); ++h) {
-        if (h % 65536 == 0) context_.poll();
-        if (l.flat[h] == 0 || l.twins[h] < h) continue;
-        const std::uint32_t a = first + h / 3;
-        const std::uint32_t b = first + l.twins[h] / 3;
-        if (is_quiet(a, b) && same_color(a, b)) join_faces(a, b);
-      }
+    for_each_chunk(context_, scene_.leaves.size(), 1,
+                   [&](const Chunk& chunk) { join_flat_tiles_of(static_cast<std::uint32_t>(chunk.index)); });
+  }
+
+  void join_flat_tiles_of(std::uint32_t leaf) {
+    const Leaf& l = *scene_.leaves[leaf];
+    const std::uint32_t first = scene_.first_tile[leaf];
+    for (std::uint32_t h = 0; h < l.twins.size(); ++h) {
+      if (h % 65536 == 0) context_.poll();
+      if (l.flat[h] == 0 || l.twins[h] < h) continue;
+      const std::uint32_t a = first + h / 3;
+      const std::uint32_t b = first + l.twins[h] / 3;
+      if (is_quiet(a, b) && same_color(a, b)) join_faces(a, b);
     }
   }
 
@@ -167,17 +172,19 @@ class FaceMerger {
 
   // Boundary edges of tiles that are part of a larger face. All others are faces of their own.
   void gather_tile_edges() {
-    for (std::uint32_t leaf = 0; leaf < scene_.leaves.size(); ++leaf) {
-      const std::uint32_t first = scene_.first_tile[leaf];
-      for (std::uint32_t tile = first; tile < scene_.first_tile[leaf + 1]; ++tile) {
+    std::vector<std::vector<FaceEdge>> parts(scene_.leaves.size());
+    for_each_chunk(context_, scene_.leaves.size(), 1, [&](const Chunk& chunk) {
+      const auto leaf = static_cast<std::uint32_t>(chunk.index);
+      for (std::uint32_t tile = scene_.first_tile[leaf]; tile < scene_.first_tile[leaf + 1]; ++tile) {
         if (tile % 65536 == 0) context_.poll();
-        if (in_face_[tile] != 0) gather_edges_of(tile, leaf);
+        if (in_face_[tile] != 0) gather_edges_of(tile, leaf, parts[leaf]);
       }
-    }
+    });
+    for (const auto& part : parts) edges_.insert(edges_.end(), part.begin(), part.end());
     for (FaceEdge& e : edges_) e.face = faces_.find(e.face);
   }
 
-  void gather_edges_of(std::uint32_t tile, std::uint32_t leaf) {
+  void gather_edges_of(std::uint32_t tile, std::uint32_t leaf, std::vector<FaceEdge>& out) const {
     const Leaf& l = *scene_.leaves[leaf];
     const std::uint32_t first = scene_.first_tile[leaf];
     const std::array<PointId, 3> corners = scene_.corners(tile, leaf);
@@ -188,7 +195,7 @@ class FaceMerger {
       if (!is_quiet(tile, other) || (l.flat[h] != 0 && same_color(tile, other))) continue;
       const PointId from = corners[k];
       const PointId to = corners[(k + 1) % 3];
-      edges_.push_back({tile, kept_.is_reversed(tile) ? DirectedEdge{to, from} : DirectedEdge{from, to}});
+      out.push_back({tile, kept_.is_reversed(tile) ? DirectedEdge{to, from} : DirectedEdge{from, to}});
     }
   }
 

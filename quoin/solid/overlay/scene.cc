@@ -135,7 +135,8 @@ Constructions gather_vertices(const Scene& scene) {
     if (!leaf->exact_vertices.empty()) return rational_table(scene);
   }
   std::vector<Point3> points;
-  points.reserve(scene.first_vertex.back());
+  // With room for contacts, so that adding some moves nothing.
+  points.reserve(scene.first_vertex.back() + scene.first_vertex.back() / 16);
   for (const auto& leaf : scene.leaves) points.insert(points.end(), leaf->vertices.begin(), leaf->vertices.end());
   return Constructions(std::move(points));
 }
@@ -153,6 +154,13 @@ void number_leaves(Scene& scene) {
   }
   scene.first_vertex.push_back(static_cast<std::uint32_t>(vertices));
   scene.first_tile.push_back(static_cast<std::uint32_t>(tiles));
+}
+
+void number_elements(Scene& scene) {
+  scene.facet_of_tile.assign(scene.tile_count(), none);
+  scene.merged.resize(scene.first_vertex.back());
+  std::iota(scene.merged.begin(), scene.merged.end(), 0U);
+  scene.shared.assign(scene.first_vertex.back(), false);
 }
 
 }  // namespace
@@ -180,20 +188,26 @@ Scene::Halfedge Scene::twin(std::uint32_t tile, std::uint32_t edge, std::uint32_
   return {first_tile[leaf] + opposite / 3, opposite % 3};
 }
 
-Scene make_unpaired_scene(std::span<const std::shared_ptr<const Leaf>> leaves) {
+Scene make_unpaired_scene(std::span<const std::shared_ptr<const Leaf>> leaves, const Context& context) {
   Scene scene;
   scene.leaves = leaves;
   number_leaves(scene);
-  scene.table = gather_vertices(scene);
-  scene.facet_of_tile.assign(scene.tile_count(), none);
-  scene.merged.resize(scene.first_vertex.back());
-  std::iota(scene.merged.begin(), scene.merged.end(), 0U);
-  scene.shared.assign(scene.first_vertex.back(), false);
+  run_both(
+      context, [&] { scene.table = gather_vertices(scene); }, [&] { number_elements(scene); });
+  return scene;
+}
+
+Scene make_unpaired_scene(const std::shared_ptr<const Leaf>& leaf, Constructions table) {
+  Scene scene;
+  scene.leaves = {&leaf, 1};
+  number_leaves(scene);
+  scene.table = std::move(table);
+  number_elements(scene);
   return scene;
 }
 
 Scene make_scene(std::span<const std::shared_ptr<const Leaf>> leaves, const Context& context) {
-  Scene scene = make_unpaired_scene(leaves);
+  Scene scene = make_unpaired_scene(leaves, context);
   context.progress("pairs", 0);
   find_pairs(scene, context);
   add_facets_without_twin(scene);

@@ -63,6 +63,9 @@ struct Scene {
 Scene make_scene(std::span<const std::shared_ptr<const Leaf>> leaves, const Context& context);
 
 /// The numbering alone, without facets: enough to count windings.
-Scene make_unpaired_scene(std::span<const std::shared_ptr<const Leaf>> leaves);
+Scene make_unpaired_scene(std::span<const std::shared_ptr<const Leaf>> leaves, const Context& context);
+
+/// The same of one leaf, which must outlive it, over a table of its points.
+Scene make_unpaired_scene(const std::shared_ptr<const Leaf>& leaf, Constructions table);
 
 }  // namespace quoin::overlay
