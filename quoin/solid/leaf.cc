@@ -12,6 +12,7 @@
 #include "quoin/solid/leaf_faces.h"
 #include "quoin/solid/leaf_tiles.h"
 #include "quoin/solid/leaf_twins.h"
+#include "quoin/solid/tile_edges.h"
 
 namespace quoin {
 
@@ -55,11 +56,16 @@ void note_duplicates(const Leaf& leaf, std::size_t max_listed, MeshDiagnosis& di
   for (const FacePair& pair : pairs) note(diagnosis.duplicate_faces, pair, max_listed);
 }
 
+// The apex of the tile on the other side of the halfedge.
+std::uint32_t opposite_vertex(const Leaf& leaf, std::uint32_t halfedge) {
+  const std::uint32_t twin = leaf.twins[halfedge];
+  return leaf.tiles[twin / 3][(twin % 3 + 2) % 3];
+}
+
 // Coplanar neighbours that do not fold back on each other.
 bool is_flat(const Leaf& leaf, const Constructions& points, std::uint32_t halfedge) {
   const Tile& s = leaf.tiles[halfedge / 3];
-  const std::uint32_t twin = leaf.twins[halfedge];
-  const PointId apex{leaf.tiles[twin / 3][(twin % 3 + 2) % 3]};
+  const PointId apex{opposite_vertex(leaf, halfedge)};
   if (points.orientation(PointId{s[0]}, PointId{s[1]}, PointId{s[2]}, apex) != Sign::zero) return false;
   const PointId from{s[halfedge % 3]};
   const PointId to{s[(halfedge % 3 + 1) % 3]};
@@ -71,13 +77,23 @@ bool is_flat(const Leaf& leaf, const Constructions& points, std::uint32_t halfed
   return false;
 }
 
+// Of most edges a product in doubles tells that they are not flat.
 void mark_flat_edges(Leaf& leaf, const Constructions& points, const Context& context) {
-  constexpr std::size_t grain = 49152;
+  constexpr std::size_t grain = 16384;
   leaf.flat.assign(leaf.twins.size(), 0);
-  for_each_chunk(context, leaf.twins.size(), grain, [&](const Chunk& chunk) {
-    for (auto h = static_cast<std::uint32_t>(chunk.begin); h < chunk.end; ++h) {
-      const std::uint32_t twin = leaf.twins[h];
-      if (twin != Leaf::no_twin && h < twin && is_flat(leaf, points, h)) leaf.flat[h] = leaf.flat[twin] = 1;
+  const bool are_doubles = leaf.exact_vertices.empty();
+  for_each_chunk(context, leaf.tiles.size(), grain, [&](const Chunk& chunk) {
+    for (auto t = static_cast<std::uint32_t>(chunk.begin); t < chunk.end; ++t) {
+      const TileEdges edges(leaf.vertices, leaf.tiles[t]);
+      const Point3& base = leaf.vertices[leaf.tiles[t][0]];
+      for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
+        const std::uint32_t twin = leaf.twins[h];
+        if (twin == Leaf::no_twin || h > twin) continue;
+        const Vector3 d = TileEdges::difference(leaf.vertices[opposite_vertex(leaf, h)], base);
+        const double height = TileEdges::dot(edges.normal, d);
+        if (are_doubles && edges.is_certain_along(height, TileEdges::largest(d))) continue;
+        if (is_flat(leaf, points, h)) leaf.flat[h] = leaf.flat[twin] = 1;
+      }
     }
   });
 }

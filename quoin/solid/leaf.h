@@ -65,6 +65,7 @@ struct Leaf {
   /// Halfedge 3t+k runs from tiles[t][k] to tiles[t][(k+1)%3]. Its opposite one where exactly two tiles meet with
   /// opposite directions, else `no_twin`.
   std::vector<std::uint32_t> twins;
+  bool has_all_twins = false;      ///< every edge is used once in each direction
   std::vector<std::uint8_t> flat;  ///< per halfedge, 1: has a twin, and both tiles lie in one plane with one normal
   BoxTree tree;
   bool crosses_itself = false;     ///< tiles meet outside shared vertices and edges (or that could not be excluded)

@@ -171,7 +171,8 @@ class TwinMatcher {
 }  // namespace
 
 void match_twins(Leaf& leaf, std::size_t max_listed, MeshDiagnosis& diagnosis, const Context& context) {
-  if (!PlainTwinMatcher(leaf).run(context)) TwinMatcher(leaf, max_listed, diagnosis, context).run();
+  leaf.has_all_twins = PlainTwinMatcher(leaf).run(context);
+  if (!leaf.has_all_twins) TwinMatcher(leaf, max_listed, diagnosis, context).run();
 }
 
 }  // namespace quoin

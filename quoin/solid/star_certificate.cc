@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Bounds, u = 2^-53, for a tile with edges e0, e1, e2 along its boundary, A, B the largest components of e0, e2 and D
-// that of d. A component of the normal e0 x -e2 is a difference of products below A B with roundings of 2 differences
-// and a product each, and its own: off by 2 * 3 u A B + 2 u A B = 8 u A B; its product with a component of d by 8 u A B
-// D + 2 u A B D, three of them and their two sums (below 4 and 6 A B D) by 30 + 4 + 6 = 40 u A B D < 2^-47 A B D. The
-// planar product w . e of two terms, one difference and one product in each and a sum: below 2 (2 u) + 2 u = 6 u |w|
-// |e| with the largest components; the third term is zero. 2^-47 exceeds both, higher orders included, as long as
-// nothing underflows, which sizes of products of two and of three above 1e-250 exclude; an infinite size decides
-// nothing.
+// Bounds are those of TileEdges. The planar product w . e of two terms, one difference and one product in each and a
+// sum: below 2 (2 u) + 2 u = 6 u |w| |e| with the largest components and u = 2^-53; the third term is zero.
 #include "quoin/solid/star_certificate.h"
 
 #include <algorithm>
@@ -16,50 +10,15 @@
 #include <utility>
 
 #include "quoin/kernel/order.h"
+#include "quoin/solid/tile_edges.h"
 
 namespace quoin {
 
 namespace {
 
-constexpr double relative_bound = 0x1p-47;
-constexpr double smallest_safe = 1e-250;
-
-Vector3 minus(const Point3& a, const Point3& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-
 Vector3 minus(const Vector3& a) {
   return {-a.x, -a.y, -a.z};
 }
-
-double dot(const Vector3& a, const Vector3& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-double largest(const Vector3& v) {
-  return std::max(std::max(std::fabs(v.x), std::fabs(v.y)), std::fabs(v.z));
-}
-
-bool is_certain(double value, double size) {
-  return (size > smallest_safe) & (std::fabs(value) > relative_bound * size);
-}
-
-// A tile's edges from corner k to k + 1, and its normal.
-struct Edges {
-  std::array<Vector3, 3> edge;
-  std::array<double, 3> size;
-  Vector3 normal;
-
-  Edges(const std::vector<Point3>& vertices, const Tile& tile) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      edge[k] = minus(vertices[tile[(k + 1) % 3]], vertices[tile[k]]);
-      size[k] = largest(edge[k]);
-    }
-    const Vector3& a = edge[0];
-    const Vector3& b = edge[2];
-    normal = {a.z * b.y - a.y * b.z, a.x * b.z - a.z * b.x, a.y * b.x - a.x * b.y};
-  }
-};
 
 // How the star of a vertex is looked at: along d, the sum of its normals, counting passes of the half-line in the plane
 // w . e = 0, where w is the product of d with the axis least aligned with it, hence exactly orthogonal to d.
@@ -79,8 +38,8 @@ struct View {
     } else if (y <= z) {
       w = {d.z, 0, -d.x};
     }
-    d_size = largest(d);
-    w_size = largest(w);
+    d_size = TileEdges::largest(d);
+    w_size = TileEdges::largest(w);
   }
 };
 
@@ -118,7 +77,7 @@ class StarCertifier {
       if (t % 16384 == 0) context_.poll();
       const Tile& tile = leaf_.tiles[t];
       if (!is_wanted(tile)) continue;
-      const Edges edges(leaf_.vertices, tile);
+      const TileEdges edges(leaf_.vertices, tile);
       for (const std::uint32_t v : tile) {
         if (wanted_[v] == 0) continue;
         View& view = views_[view_of_[v]];
@@ -132,16 +91,14 @@ class StarCertifier {
   void look_at(std::uint32_t t) {
     const Tile& tile = leaf_.tiles[t];
     if (!is_wanted(tile)) return;
-    const Edges edges(leaf_.vertices, tile);
-    const double normal_size = edges.size[0] * edges.size[2];
+    const TileEdges edges(leaf_.vertices, tile);
     for (std::size_t k = 0; k < 3; ++k) {
       if (wanted_[tile[k]] == 0) continue;
       const std::size_t before = (k + 2) % 3;
       const View& view = views_[view_of_[tile[k]]];
-      const double det = dot(edges.normal, view.d);
+      const double det = TileEdges::dot(edges.normal, view.d);
       const bool has_twins = (leaf_.twins[3 * t + k] != Leaf::no_twin) & (leaf_.twins[3 * t + before] != Leaf::no_twin);
-      const bool is_turning =
-          has_twins & (det > 0) & (normal_size > smallest_safe) & is_certain(det, normal_size * view.d_size);
+      const bool is_turning = has_twins & (det > 0) & edges.is_certain_along(det, view.d_size);
       std::uint8_t& turns = turns_[tile[k]];
       if (!is_turning) {
         turns |= uncertain;
@@ -157,8 +114,8 @@ class StarCertifier {
   // Whether the edge from v to p lies on the negative side of the plane w . e = 0, exactly. An edge in the plane counts
   // as positive: turning with the star, the half-line is passed on the way from negative to not negative.
   bool is_before(const View& view, std::uint32_t v, std::uint32_t p, const Vector3& e, double size) const {
-    const double value = dot(e, view.w);
-    if (is_certain(value, size * view.w_size)) [[likely]]
+    const double value = TileEdges::dot(e, view.w);
+    if (TileEdges::is_certain(value, size * view.w_size)) [[likely]]
       return value < 0;
     return compare_along(view.w, leaf_.vertices[p], leaf_.vertices[v]) == Sign::negative;
   }

@@ -86,6 +86,7 @@ void find_pairs(Scene& scene, const Context& context) {
 // Tiles at edges where not exactly two tiles meet take part in the order of sides about that edge.
 void add_facets_without_twin(Scene& scene) {
   for (std::uint32_t leaf = 0; leaf < scene.leaves.size(); ++leaf) {
+    if (scene.leaves[leaf]->has_all_twins) continue;
     const std::vector<std::uint32_t>& twins = scene.leaves[leaf]->twins;
     for (std::size_t h = 0; h < twins.size(); ++h) {
       if (twins[h] == Leaf::no_twin) add_facet(scene, scene.first_tile[leaf] + static_cast<std::uint32_t>(h / 3), leaf);
