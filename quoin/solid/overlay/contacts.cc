@@ -182,17 +182,14 @@ class PairOfFacets {
   }
 
   PointRef post_vertex(PointId v, const Corners& facet, std::uint32_t facet_index, Place place) {
-    const PointRef ref = PointRef::point(v);
-    if (place.feature == Feature::edge) out_.edge_points.push_back({edge_of(facet, place), ref});
-    if (place.feature == Feature::interior) out_.facet_points.push_back({facet_index, ref});
-    return ref;
+    if (place.feature == Feature::edge) out_.edge_points.push_back({edge_of(facet, place), v});
+    if (place.feature == Feature::interior) out_.facet_points.push_back({facet_index, v});
+    return PointRef::point(v);
   }
 
   PointRef post_edge(Edge e, std::uint32_t facet_index) {
     const PointRef ref = PointRef::contact(out_.keys.size());
     out_.keys.push_back({e.a, e.b, facet_index, none});
-    out_.edge_points.push_back({e, ref});
-    out_.facet_points.push_back({facet_index, ref});
     return ref;
   }
 
@@ -200,8 +197,6 @@ class PairOfFacets {
     if (f < e) std::swap(e, f);
     const PointRef ref = PointRef::contact(out_.keys.size());
     out_.keys.push_back({e.a, e.b, f.a, f.b});
-    out_.edge_points.push_back({e, ref});
-    out_.edge_points.push_back({f, ref});
     return ref;
   }
 
@@ -264,8 +259,8 @@ bool have_equal_corners(const Constructions& table, const Corners& a, const Corn
 bool have_contacts(const Constructions& table, const Corners& a, const Corners& b) {
   Contacts contacts;
   if (!PairOfFacets(table, a, b, {0, 1}, contacts).run()) find_coplanar_contacts(table, a, b, {0, 1}, contacts);
-  return !contacts.edge_points.empty() || !contacts.facet_points.empty() || !contacts.traces.empty() ||
-         !contacts.overlapping.empty();
+  return !contacts.keys.empty() || !contacts.edge_points.empty() || !contacts.facet_points.empty() ||
+         !contacts.traces.empty() || !contacts.overlapping.empty();
 }
 
 }  // namespace quoin::overlay

@@ -42,14 +42,18 @@ struct PointRef {
   friend bool operator==(PointRef, PointRef) = default;
 };
 
-struct EdgePoint {
+/// A vertex strictly inside an edge.
+struct PointOnEdge {
   Edge edge;
-  PointRef point;
+  PointId point;
+  friend auto operator<=>(const PointOnEdge&, const PointOnEdge&) = default;
 };
 
-struct FacetPoint {
+/// A vertex strictly inside a facet.
+struct PointInFacet {
   std::uint32_t facet;
-  PointRef point;
+  PointId point;
+  friend auto operator<=>(const PointInFacet&, const PointInFacet&) = default;
 };
 
 /// What another facet, not of its plane, leaves on a facet.
@@ -63,9 +67,9 @@ struct Trace {
 
 /// Everything that pairs of facets have in common.
 struct Contacts {
-  std::vector<ContactKey> keys;  ///< a contact found by several pairs occurs several times
-  std::vector<EdgePoint> edge_points;
-  std::vector<FacetPoint> facet_points;
+  std::vector<ContactKey> keys;  ///< say what each contact lies on; one found by several pairs occurs several times
+  std::vector<PointOnEdge> edge_points;    ///< of corners
+  std::vector<PointInFacet> facet_points;  ///< of corners
   std::vector<Trace> traces;
   std::vector<FacetPair>
       adjoining;  ///< pairs that share area, or a segment along an edge of one, and are not plain neighbours

@@ -89,8 +89,7 @@ class CoplanarPair {
   void post_vertices(const Corners& corners, const Sides& sides, const Corners& facet) {
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t where = place(sides, i);
-      if (where < 3)
-        out_.edge_points.push_back({edge_between(facet[where], facet[next(where)]), PointRef::point(corners[i])});
+      if (where < 3) out_.edge_points.push_back({edge_between(facet[where], facet[next(where)]), corners[i]});
     }
   }
 
@@ -103,10 +102,7 @@ class CoplanarPair {
         Edge e = edge_between(s_[j], s_[next(j)]);
         Edge f = edge_between(t_[i], t_[next(i)]);
         if (f < e) std::swap(e, f);
-        const PointRef crossing = PointRef::contact(out_.keys.size());
         out_.keys.push_back({e.a, e.b, f.a, f.b});
-        out_.edge_points.push_back({e, crossing});
-        out_.edge_points.push_back({f, crossing});
       }
     }
   }

@@ -2,6 +2,7 @@
 #include "quoin/solid/overlay/facet_graph.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace quoin::overlay {
@@ -82,26 +83,31 @@ bool FacetGraph::follows(std::size_t piece) const {
   return piece > 0 && raw_[piece].from == raw_[piece - 1].to;
 }
 
+// In the order in which pieces name them.
 void FacetGraph::number_nodes() {
   nodes_.clear();
-  for (std::size_t i = 0; i < raw_.size(); ++i) {
-    if (!follows(i)) nodes_.push_back(raw_[i].from);
-    nodes_.push_back(raw_[i].to);
-  }
-  std::sort(nodes_.begin(), nodes_.end());
-  nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
-  const auto number = [&](PointId p) {
-    return static_cast<std::uint32_t>(std::lower_bound(nodes_.begin(), nodes_.end(), p) - nodes_.begin());
-  };
+  node_slots_.assign(std::bit_ceil(2 * raw_.size() + 2), no_node);
   pieces_.clear();
   std::uint32_t last = 0;
   for (std::size_t i = 0; i < raw_.size(); ++i) {
-    const std::uint32_t from = follows(i) ? last : number(raw_[i].from);
-    last = number(raw_[i].to);
+    const std::uint32_t from = follows(i) ? last : number_of(raw_[i].from);
+    last = number_of(raw_[i].to);
     pieces_.push_back({{from, last}, raw_[i].line});
   }
   std::stable_sort(pieces_.begin(), pieces_.end(),
                    [&](const Piece& p, const Piece& q) { return ends_of(p) < ends_of(q); });
+}
+
+// Open addressing in a table at most half full: no graph has more nodes than pieces and one.
+std::uint32_t FacetGraph::number_of(PointId point) {
+  const std::size_t mask = node_slots_.size() - 1;
+  std::size_t slot = (point.value * 0x9E3779B1U >> 7U) & mask;
+  while (node_slots_[slot] != no_node && nodes_[node_slots_[slot]] != point) slot = (slot + 1) & mask;
+  if (node_slots_[slot] == no_node) {
+    node_slots_[slot] = static_cast<std::uint32_t>(nodes_.size());
+    nodes_.push_back(point);
+  }
+  return node_slots_[slot];
 }
 
 // Overlapping curves leave the same piece several times; the one of the smallest line stays.

@@ -72,6 +72,7 @@ class FacetGraph {
   void sort_chain();
   bool follows(std::size_t piece) const;
   void number_nodes();
+  std::uint32_t number_of(PointId point);
   void drop_duplicates();
   void gather_units();
   void add_units(std::uint32_t line);
@@ -100,7 +101,9 @@ class FacetGraph {
     std::uint32_t line;
   };
   std::vector<RawPiece> raw_;
+  static constexpr std::uint32_t no_node = 0xFFFFFFFFU;
   std::vector<PointId> nodes_;
+  std::vector<std::uint32_t> node_slots_;  // of a hash table: numbers of nodes
   std::vector<Piece> pieces_;
   std::vector<std::uint32_t> first_unit_;  // per piece; of clusters only
   std::vector<std::uint32_t> units_;

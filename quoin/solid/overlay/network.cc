@@ -59,9 +59,24 @@ class NetworkBuilder {
     });
   }
 
+  // Everything of a kind that pairs report. Repetitions are mostly within one chunk, where they are cheap to drop.
+  template <class T, class Select>
+  std::vector<T> gather_unique(const Select& select) const {
+    std::vector<std::vector<T>> parts(found_.size());
+    for_each_chunk(context_, found_.size(), 1, [&](const Chunk& chunk) {
+      std::vector<T>& part = parts[chunk.index];
+      part = select(found_[chunk.index]);
+      std::sort(part.begin(), part.end());
+      part.erase(std::unique(part.begin(), part.end()), part.end());
+    });
+    std::vector<T> all;
+    for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
+    sort_unique(all, context_);
+    return all;
+  }
+
   void number_contacts() {
-    for (const Contacts& part : found_) keys_.insert(keys_.end(), part.keys.begin(), part.keys.end());
-    sort_unique(keys_, context_);
+    keys_ = gather_unique<ContactKey>([](const Contacts& part) -> const auto& { return part.keys; });
     first_contact_ = scene_.table.point_count();
     ids_.resize(found_.size());
     for_each_chunk(context_, found_.size(), 1, [&](const Chunk& chunk) {
@@ -79,10 +94,7 @@ class NetworkBuilder {
     }
     std::vector<Edge> met_edges;
     if (!overlapping.empty()) {
-      for (const Contacts& part : found_) {
-        met_edges.insert(met_edges.end(), part.met_edges.begin(), part.met_edges.end());
-      }
-      sort_unique(met_edges, context_);
+      met_edges = gather_unique<Edge>([](const Contacts& part) -> const auto& { return part.met_edges; });
     }
     network_.clusters = make_clusters(scene_, overlapping, met_edges);
   }
@@ -91,19 +103,21 @@ class NetworkBuilder {
     return ref.is_contact() ? ids_[part][ref.contact_index()] : PointId{ref.value};
   }
 
-  // Many points lie on one edge, mostly of one chunk.
+  // Edges with a point inside. Of the contacts, the first edges are sorted already.
   std::vector<Edge> gather_cut_edges() const {
-    std::vector<std::vector<Edge>> parts(found_.size());
-    for_each_chunk(context_, found_.size(), 1, [&](const Chunk& chunk) {
-      std::vector<Edge>& edges = parts[chunk.index];
-      for (const EdgePoint& p : found_[chunk.index].edge_points) edges.push_back(p.edge);
-      std::sort(edges.begin(), edges.end());
-      edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-    });
-    std::vector<Edge> all;
-    for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
-    sort_unique(all, context_);
-    return all;
+    std::vector<Edge> edges;
+    for (const ContactKey& key : keys_) {
+      const Edge first{key.a, key.b};
+      if (edges.empty() || edges.back() != first) edges.push_back(first);
+    }
+    for (const ContactKey& key : keys_) {
+      if (key.d != none) edges.push_back({key.c, key.d});
+    }
+    for (const Contacts& part : found_) {
+      for (const PointOnEdge& p : part.edge_points) edges.push_back(p.edge);
+    }
+    sort_unique(edges, context_);
+    return edges;
   }
 
   // Facets with points on their boundary or inside are cut; with an edge that others may share, they are involved.
@@ -112,9 +126,12 @@ class NetworkBuilder {
     network_.cut = network_.clusters.is_shared;
     network_.involved.assign(scene_.facets.size(), false);
     for (const Contacts& part : found_) {
-      for (const FacetPoint& p : part.facet_points) network_.cut[p.facet] = true;
+      for (const PointInFacet& p : part.facet_points) network_.cut[p.facet] = true;
       for (const Trace& t : part.traces) network_.cut[t.facet] = true;
       for (const FacetPair& p : part.adjoining) network_.involved[p.a] = network_.involved[p.b] = true;
+    }
+    for (const ContactKey& key : keys_) {
+      if (key.d == none) network_.cut[key.c] = true;
     }
     for (std::size_t f = 0; f < scene_.facets.size(); ++f) {
       const Facet& facet = scene_.facets[f];
@@ -198,12 +215,9 @@ class NetworkBuilder {
       for (const PointId p : scene_.facets[f].corners) corners.push_back(p.value);
     }
     // Vertices that only touch an edge or a facet: their own facets may have no part in this.
-    const auto add = [&](PointRef ref) {
-      if (!ref.is_contact()) corners.push_back(ref.value);
-    };
     for (const Contacts& part : found_) {
-      for (const EdgePoint& p : part.edge_points) add(p.point);
-      for (const FacetPoint& p : part.facet_points) add(p.point);
+      for (const PointOnEdge& p : part.edge_points) corners.push_back(p.point.value);
+      for (const PointInFacet& p : part.facet_points) corners.push_back(p.point.value);
     }
     sort_unique(corners, context_);
     for (const std::uint32_t p : corners) network_.merger.insert(PointId{p});
@@ -217,12 +231,19 @@ class NetworkBuilder {
   PointId canonical(PointId p) const { return p.value >= first_contact_ ? canonical_[p.value - first_contact_] : p; }
 
   void collect_points() {
-    for (std::size_t part = 0; part < found_.size(); ++part) {
-      for (const EdgePoint& p : found_[part].edge_points) {
-        network_.edge_points.push_back({p.edge, canonical(id_of(part, p.point))});
+    for (std::size_t i = 0; i < keys_.size(); ++i) {
+      const ContactKey& key = keys_[i];
+      network_.edge_points.push_back({{key.a, key.b}, canonical_[i]});
+      if (key.d == none) {
+        network_.facet_points.push_back({network_.clusters.of[key.c], canonical_[i]});
+      } else {
+        network_.edge_points.push_back({{key.c, key.d}, canonical_[i]});
       }
-      for (const FacetPoint& p : found_[part].facet_points) {
-        network_.facet_points.push_back({network_.clusters.of[p.facet], canonical(id_of(part, p.point))});
+    }
+    for (const Contacts& part : found_) {
+      network_.edge_points.insert(network_.edge_points.end(), part.edge_points.begin(), part.edge_points.end());
+      for (const PointInFacet& p : part.facet_points) {
+        network_.facet_points.push_back({network_.clusters.of[p.facet], p.point});
       }
     }
     sort_unique(network_.edge_points, context_);

@@ -13,20 +13,6 @@
 
 namespace quoin::overlay {
 
-/// A vertex strictly inside an edge.
-struct PointOnEdge {
-  Edge edge;
-  PointId point;
-  friend auto operator<=>(const PointOnEdge&, const PointOnEdge&) = default;
-};
-
-/// A vertex strictly inside a facet.
-struct PointInFacet {
-  std::uint32_t facet;
-  PointId point;
-  friend auto operator<=>(const PointInFacet&, const PointInFacet&) = default;
-};
-
 /// A segment strictly inside a facet (its ends may lie on the boundary), along the line in which plane `cut` meets the
 /// facet's.
 struct Curve {
