@@ -397,6 +397,31 @@ TEST(Solid, CancellationLeavesInputsUsable) {
   expect_valid(unite_two(a, b));
 }
 
+// From whichever stage reports first to the last, and the same inputs give the same result afterwards.
+TEST(Solid, CancellationAtEveryStage) {
+  const Mesh a = shapes::geodesic_sphere(8);
+  const Mesh b = shapes::translated(shapes::geodesic_sphere(8), {0.5, 0.25, 0.125});
+  const auto run = [&](const Context& context) {
+    const std::array<Solid, 2> solids{Solid::of_leaf(make_leaf(a, {}, context).leaf),
+                                      Solid::of_leaf(make_leaf(b, {}, context).leaf)};
+    return triangulate_boundary(unite(solids, context).boundary(), {}, context).triangles;
+  };
+  int reports = 0;
+  const std::vector<Tile> expected =
+      run(Context({.threads = 2, .progress = [&](std::string_view, double) { ++reports; }}));
+  ASSERT_GT(reports, 5);
+  for (int last = 1; last <= reports; ++last) {
+    int seen = 0;
+    Context* running = nullptr;
+    Context context({.threads = 2, .progress = [&](std::string_view, double) {
+                       if (++seen == last) running->cancel();
+                     }});
+    running = &context;
+    EXPECT_THROW(run(context), Cancelled) << "report " << last;
+  }
+  EXPECT_EQ(run(one_thread), expected);
+}
+
 TEST(Solid, BoxesAtTheEndsOfTheRange) {
   for (const int exponent : {-1070, -800, 800, 1019}) {
     const double unit = std::ldexp(1.0, exponent);
