@@ -10,13 +10,14 @@ namespace quoin::cli {
 
 namespace {
 
-// A polygon with n corners in l loops has n + 2 l - 4 triangles for one outer loop.
+// A polygon with n corners in l loops has n + 2 l - 4 triangles for one outer loop; a loop of one vertex adds two.
 std::size_t triangle_count(const Brep& b) {
   std::size_t count = 0;
   for (std::size_t f = 0; f < b.face_count(); ++f) {
     const std::uint32_t first = b.face_first_loop[f];
     const std::uint32_t end = b.face_first_loop[f + 1];
     count += b.loop_begin[end] - b.loop_begin[first] + 2 * (end - first) - 4;
+    for (std::uint32_t l = first; l < end; ++l) count -= b.loop(l).size() == 1 ? 1 : 0;
   }
   return count;
 }

@@ -143,7 +143,7 @@ class ExactReader {
         brep_.face_colors.push_back({channel(0), channel(1), channel(2), channel(3)});
       }
       for (std::size_t l = 0; l < loops; ++l) {
-        expect("loop", 3);  // two vertices are a slit
+        expect("loop", 2);
         for (std::size_t i = 1; i < lines_.words().size(); ++i)
           brep_.loop_vertices.push_back(PointId{index(i, points)});
         brep_.loop_begin.push_back(static_cast<std::uint32_t>(brep_.loop_vertices.size()));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <optional>
 #include <tuple>
 
@@ -29,6 +30,7 @@ class CrossingFinder {
     check_vertices_on_edges();
     check_edges_against_edges();
     check_edges_against_faces();
+    check_vertices_in_faces();
     check_sides();
     check_shells();
     return std::move(violations_);
@@ -39,6 +41,12 @@ class CrossingFinder {
     BoundaryEdge edge;
     std::uint32_t face;
     friend auto operator<=>(const EdgeUse&, const EdgeUse&) = default;
+  };
+
+  struct VertexOfFace {
+    std::uint32_t face;
+    PointId vertex;
+    friend auto operator<=>(const VertexOfFace&, const VertexOfFace&) = default;
   };
 
   void say(std::string violation) {
@@ -54,6 +62,7 @@ class CrossingFinder {
   void for_each_edge(std::uint32_t face, const Visit& visit) const {
     for (std::uint32_t l = b_.face_first_loop[face]; l < b_.face_first_loop[face + 1]; ++l) {
       const std::span<const PointId> loop = b_.loop(l);
+      if (loop.size() == 1) continue;
       for (std::size_t i = 0; i < loop.size(); ++i) visit(loop[i], loop[i + 1 == loop.size() ? 0 : i + 1]);
     }
   }
@@ -63,8 +72,10 @@ class CrossingFinder {
       for_each_edge(f, [&](PointId p, PointId q) {
         uses_.push_back({{std::min(p, q), std::max(p, q)}, f});
         vertices_.push_back(p);
+        names_.push_back({f, p});
       });
     }
+    std::sort(names_.begin(), names_.end());
     std::sort(uses_.begin(), uses_.end());
     for (const EdgeUse& use : uses_) {
       if (edges_.empty() || edges_.back() != use.edge) edges_.push_back(use.edge);
@@ -172,6 +183,47 @@ class CrossingFinder {
     }
   }
 
+  // What touches a face inside is one of its loops, and such a loop is nothing else.
+  void check_vertices_in_faces() {
+    std::vector<VertexOfFace> touching;
+    for (std::uint32_t f = 0; f < b_.face_count(); ++f) {
+      for (std::uint32_t l = b_.face_first_loop[f]; l < b_.face_first_loop[f + 1]; ++l) {
+        if (b_.loop(l).size() == 1) touching.push_back({f, b_.loop(l)[0]});
+      }
+    }
+    std::sort(touching.begin(), touching.end());
+    std::vector<VertexOfFace> found = find_vertices_in_faces();
+    std::sort(found.begin(), found.end());
+    const auto report = [&](const std::vector<VertexOfFace>& some, const std::vector<VertexOfFace>& others,
+                            const std::string& what) {
+      std::vector<VertexOfFace> rest;
+      std::set_difference(some.begin(), some.end(), others.begin(), others.end(), std::back_inserter(rest));
+      for (const VertexOfFace& v : rest) say("vertex " + std::to_string(v.vertex.value) + what + name(v.face));
+    };
+    report(found, touching, " touches what does not name it: ");
+    report(touching, found, " does not touch what names it: ");
+  }
+
+  // Vertices of loops of two and more, strictly inside faces that no such loop of theirs names.
+  std::vector<VertexOfFace> find_vertices_in_faces() {
+    std::vector<VertexOfFace> found;
+    std::vector<std::uint32_t> near;
+    for (const PointId v : vertices_) {
+      poll();
+      const Point3& at = b_.points.rounded(v);
+      near.clear();
+      locator_.tree().tiles_in_box(at, at, near);
+      std::optional<PlacedPoint> point;
+      for (const std::uint32_t face : near) {
+        if (std::binary_search(names_.begin(), names_.end(), VertexOfFace{face, v})) continue;
+        if (!point) point = placed(v);
+        if (side_of_face(b_, face, *point) != Sign::zero) continue;
+        if (place_in_face(b_, face, *point, projection_axis(b_, face)).is_inside_when_moved) found.push_back({face, v});
+      }
+    }
+    return found;
+  }
+
   RationalPoint3 meet(const RationalPoint3& p, const RationalPoint3& q, std::uint32_t face) const {
     const auto& plane = b_.face_planes[face];
     const RationalPoint3 a = b_.points.exact(plane[0]);
@@ -273,7 +325,8 @@ class CrossingFinder {
   PointLocator locator_;
   std::vector<EdgeUse> uses_;  // sorted
   std::vector<BoundaryEdge> edges_;
-  std::vector<PointId> vertices_;
+  std::vector<PointId> vertices_;    // of loops of two and more
+  std::vector<VertexOfFace> names_;  // of the same, sorted
   BoxTree edge_tree_;
   std::vector<std::optional<bool>> around_;  // per shell: an odd number of other shells is around it
   std::size_t polls_ = 0;

@@ -30,7 +30,8 @@ struct Shell {
 /// A vertex is a point of `points` that some loop names; other explicit points only span planes. Loops are closed
 /// chains of vertices with the face on their left seen from outside: outer loops counterclockwise, holes clockwise. A
 /// face may have several outer loops only by touching itself in vertices; a loop may pass a vertex twice, and an edge
-/// in both directions: a slit, where other faces touch this one along an edge (two vertices are a loop then). Every
+/// in both directions: a slit, where other faces touch this one along an edge (two vertices are a loop then). A loop of
+/// one vertex is where other faces touch this one from one side in a point inside it; behind the other loops. Every
 /// edge is used as often in one direction as in the other; more than once each is a nonmanifold edge.
 struct Brep {
   Constructions points{std::vector<Point3>{}};

@@ -56,13 +56,12 @@ class BoundaryChecker {
     const RationalPoint3 normal = cross(b_.points.exact(plane[1]) - origin, b_.points.exact(plane[2]) - origin);
     for (std::uint32_t l = b_.face_first_loop[f]; l < b_.face_first_loop[f + 1]; ++l) {
       const auto loop = b_.loop(l);
-      if (loop.size() < 2)  // two are a slit: an edge of other faces that touches this one from one side
-        say("face " + std::to_string(f) + " has a loop of " + std::to_string(loop.size()) + " vertices");
+      if (loop.empty()) say("face " + std::to_string(f) + " has an empty loop");
       for (std::size_t i = 0; i < loop.size(); ++i) {
         const RationalPoint3 p = b_.points.exact(loop[i]);
         if (dot(normal, p - origin).sign() != Sign::zero)
           say("face " + std::to_string(f) + ": vertex " + std::to_string(loop[i].value) + " is off its plane");
-        if (loop[i] == loop[i + 1 == loop.size() ? 0 : i + 1])
+        if (loop.size() > 1 && loop[i] == loop[i + 1 == loop.size() ? 0 : i + 1])
           say("face " + std::to_string(f) + " has an edge of length zero");
       }
     }

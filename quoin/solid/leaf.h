@@ -96,8 +96,8 @@ LeafResult make_leaf(const Mesh& mesh, const LeafOptions& options, const Context
 /// The same of an exact boundary, over rational points: faces are triangulated exactly, and indices in the diagnosis
 /// are those of the boundary's faces and points. Of an unbounded set it is the leaf of the complement.
 ///
-/// Equal points become one; edges that a face passes in both directions (slits) go. There is no leaf either where a
-/// face's loops do not bound a polygon in its plane. O(n log n) rational operations at worst.
+/// Equal points become one; tiles keep the edges and vertices that touch a face from one side. There is no leaf either
+/// where a face's loops do not bound a polygon in its plane. O(n log n) rational operations at worst.
 LeafResult make_leaf(const Brep& boundary, const std::string& name, const LeafOptions& options, const Context& context);
 
 }  // namespace quoin

@@ -27,7 +27,7 @@ class FaceCutter {
         continue;
       }
       gather_edges(f);
-      cancel_slits();
+      cancel_opposite();
       if (!chain_loops() || !triangulate(f)) note(diagnosis_.not_simple_faces, f, max_listed_);
     }
     return std::move(out_);
@@ -61,8 +61,10 @@ class FaceCutter {
 
   void gather_edges(std::uint32_t f) {
     edges_.clear();
+    singles_.clear();
     for (std::uint32_t l = b_.face_first_loop[f]; l < b_.face_first_loop[f + 1]; ++l) {
       const auto loop = b_.loop(l);
+      if (loop.size() == 1) singles_.push_back(first_[loop[0].index()]);
       for (std::size_t i = 0; i < loop.size(); ++i) {
         const Edge e{first_[loop[i].index()], first_[loop[i + 1 == loop.size() ? 0 : i + 1].index()]};
         if (e.from != e.to) edges_.push_back(e);
@@ -71,30 +73,32 @@ class FaceCutter {
     std::sort(edges_.begin(), edges_.end());
   }
 
-  // Of an edge passed a times forward and b times backward, the excess of one over the other stays.
-  void cancel_slits() {
-    std::vector<bool> gone(edges_.size(), false);
-    for (std::size_t i = 0; i < edges_.size(); ++i) {
-      const Edge back{edges_[i].to, edges_[i].from};
-      if (!(edges_[i] < back)) continue;
-      auto other = std::lower_bound(edges_.begin(), edges_.end(), back);
-      while (other != edges_.end() && *other == back && gone[static_cast<std::size_t>(other - edges_.begin())]) ++other;
-      if (other == edges_.end() || !(*other == back)) continue;
-      gone[i] = gone[static_cast<std::size_t>(other - edges_.begin())] = true;
+  // Of an edge passed a times forward and b times backward, the excess of one over the other stays, or one of each: a
+  // slit. Nothing stays of a face that has no area.
+  void cancel_opposite() {
+    std::vector<Edge> kept;
+    bool has_area = false;
+    for (auto e = edges_.begin(); e != edges_.end();) {
+      const auto [first, end] = std::equal_range(edges_.begin(), edges_.end(), *e);
+      const auto [first_back, end_back] = std::equal_range(edges_.begin(), edges_.end(), Edge{e->to, e->from});
+      const std::ptrdiff_t excess = (end - first) - (end_back - first_back);
+      kept.insert(kept.end(), static_cast<std::size_t>(excess == 0 ? 1 : std::max<std::ptrdiff_t>(excess, 0)), *e);
+      has_area = has_area || excess != 0;
+      e = end;
     }
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < edges_.size(); ++i) {
-      if (!gone[i]) edges_[kept++] = edges_[i];
-    }
-    edges_.resize(kept);
+    edges_ = std::move(kept);
+    if (has_area) return;
+    edges_.clear();
+    singles_.clear();
   }
 
   // Any closed chains of the edges: triangulation asks for no more. Fails where a vertex is left more often than
   // entered.
   bool chain_loops() {
-    ids_.clear();
+    ids_ = singles_;
     for (const Edge& e : edges_) ids_.push_back(e.from);
-    ids_.erase(std::unique(ids_.begin(), ids_.end()), ids_.end());  // edges are sorted
+    std::sort(ids_.begin(), ids_.end(), [](PointId a, PointId b) { return a.value < b.value; });
+    ids_.erase(std::unique(ids_.begin(), ids_.end()), ids_.end());
     loop_points_.clear();
     loop_begin_.assign(1, 0);
     std::vector<bool> used(edges_.size(), false);
@@ -112,6 +116,10 @@ class FaceCutter {
         if (next == edges_.end() || next->from != edges_[at].to) return false;
         at = static_cast<std::size_t>(next - edges_.begin());
       }
+      loop_begin_.push_back(static_cast<std::uint32_t>(loop_points_.size()));
+    }
+    for (const PointId p : singles_) {
+      loop_points_.push_back(index_of(p));
       loop_begin_.push_back(static_cast<std::uint32_t>(loop_points_.size()));
     }
     return true;
@@ -146,7 +154,8 @@ class FaceCutter {
   MeshTiles out_;
   std::vector<PointId> first_;  // of the points equal to one, the first
   std::vector<Edge> edges_;
-  std::vector<PointId> ids_;  // vertices of a face, ascending
+  std::vector<PointId> singles_;  // loops of one vertex
+  std::vector<PointId> ids_;      // vertices of a face, ascending
   std::vector<std::uint32_t> loop_points_;
   std::vector<std::uint32_t> loop_begin_;
   std::vector<PolygonTriangle> triangles_;

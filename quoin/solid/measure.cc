@@ -2,6 +2,7 @@
 #include "quoin/solid/measure.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <vector>
@@ -114,6 +115,21 @@ RationalPoint3 cone_moment(const Brep& boundary, std::uint32_t face) {
   return total;
 }
 
+// Of relative error below 3.5 * 2^-53: one part from the components, 1.5 from the sum of squares, one from the root.
+// Components are scaled so that no square leaves the range; std::hypot of three is not a number where one is infinite.
+double length(const RationalPoint3& v) {
+  const std::array<double, 3> p{v.x.to_double(), v.y.to_double(), v.z.to_double()};
+  const double largest = std::max({std::fabs(p[0]), std::fabs(p[1]), std::fabs(p[2])});
+  if (largest == 0 || std::isinf(largest)) return largest;
+  const int exponent = std::ilogb(largest);
+  double squares = 0;
+  for (const double x : p) {
+    const double scaled = std::ldexp(x, -exponent);
+    squares += scaled * scaled;
+  }
+  return std::ldexp(std::sqrt(squares), exponent);
+}
+
 }  // namespace
 
 Rational volume(const Brep& boundary, const Context& context) {
@@ -135,7 +151,7 @@ double rounded_volume(const Brep& boundary, const Context& context) {
     const Integer high = low + Integer(static_cast<std::int64_t>(terms.size()));
     const double below = (from_fixed_point(low, bits) / Rational(6)).to_double();
     const double above = (from_fixed_point(high, bits) / Rational(6)).to_double();
-    if (below == above) return below;
+    if (below == above) return below + 0.0;  // not the negative zero below one that vanishes
     context.poll();
   }
   return (sum(terms) / Rational(6)).to_double();
@@ -175,8 +191,7 @@ double surface_area(const Brep& boundary, const Context& context) {
   std::vector<double> areas(boundary.face_count());
   for_each_chunk(context, areas.size(), 256, [&](const Chunk& chunk) {
     for (std::size_t f = chunk.begin; f < chunk.end; ++f) {
-      const RationalPoint3 v = area_vector(boundary, static_cast<std::uint32_t>(f));
-      areas[f] = std::hypot(v.x.to_double(), v.y.to_double(), v.z.to_double());
+      areas[f] = length(area_vector(boundary, static_cast<std::uint32_t>(f)));
     }
   });
   double total = 0;

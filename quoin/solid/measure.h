@@ -25,7 +25,8 @@ std::optional<RationalPoint3> centroid(const Brep& boundary, const Context& cont
 /// Vector along the outward normal whose length is the area of the face; exact.
 RationalPoint3 area_vector(const Brep& boundary, std::uint32_t face);
 
-/// Sum of the lengths of the area vectors, each correct to 2 ulp.
+/// Sum of the lengths of the area vectors, each with a relative error below 2^-51 (subnormal ones: an error below two
+/// of their units); infinite beyond the largest double.
 double surface_area(const Brep& boundary, const Context& context);
 
 /// Smallest box around the boundary, by its corners; rounded coordinates, so nearest doubles of the exact box. Nothing

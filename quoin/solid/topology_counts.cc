@@ -23,6 +23,7 @@ std::vector<EdgeUse> edge_uses(const Brep& b) {
   std::vector<EdgeUse> uses;
   uses.reserve(b.loop_vertices.size());
   for (std::size_t l = 0; l < b.loop_count(); ++l) {
+    if (b.loop(l).size() == 1) continue;
     for (std::uint32_t i = b.loop_begin[l]; i < b.loop_begin[l + 1]; ++i) {
       const std::uint32_t j = i + 1 == b.loop_begin[l + 1] ? b.loop_begin[l] : i + 1;
       uses.push_back({b.loop_vertices[i].value, b.loop_vertices[j].value, i, j});

@@ -15,7 +15,7 @@ struct TopologyCounts {
   std::size_t loops = 0;
   std::size_t unbalanced_edges = 0;   ///< not used as often in one direction as in the other: never in a valid boundary
   std::size_t nonmanifold_edges = 0;  ///< with more than two faces
-  std::size_t nonmanifold_vertices = 0;  ///< whose faces form more than one fan
+  std::size_t nonmanifold_vertices = 0;  ///< whose faces form more than one fan, or that touch a face
 
   bool is_closed() const { return unbalanced_edges == 0; }
   bool is_manifold() const { return is_closed() && nonmanifold_edges == 0 && nonmanifold_vertices == 0; }

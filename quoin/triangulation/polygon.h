@@ -20,10 +20,13 @@ using PolygonTriangle = std::array<std::uint32_t, 3>;
 /// `loops` are index chains into `points`: the polygon's interior is on the left of every loop edge (outer loops
 /// counterclockwise, holes clockwise), in any order, several outer loops allowed. Loops may touch each other and
 /// themselves in vertices (a vertex index may occur more than once), and collinear vertices are kept: every loop edge
-/// is an edge of the result, no triangle has zero area, no vertex is added.
+/// is an edge of the result, every vertex a vertex of it, no triangle has zero area, no vertex is added. What lies
+/// inside and bounds nothing is kept likewise: an edge passed once in each direction (a slit; a loop of two is one by
+/// itself) and a loop of one vertex.
 ///
-/// Returns nothing when the loops do not bound such a polygon: edges cross or overlap, a vertex lies inside another
-/// edge, two indices lie on one spot, or the orientation is wrong. Exact for all finite doubles, no tolerance.
+/// Returns nothing when the loops do not bound such a polygon: edges cross, overlap or are passed twice in one
+/// direction, a vertex lies inside another edge, two indices lie on one spot, a slit or a loop of one vertex lies
+/// outside, or the orientation is wrong. Exact for all finite doubles, no tolerance.
 /// Triangles and quadrilaterals take a direct path without allocation beyond the result; otherwise O(n log n).
 std::optional<std::vector<PolygonTriangle>> triangulate_polygon(std::span<const Point2> points,
                                                                 std::span<const std::vector<std::uint32_t>> loops);

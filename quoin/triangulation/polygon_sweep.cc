@@ -46,22 +46,41 @@ bool PolygonSweep<Points>::make_edges() {
   for (std::size_t l = 0; l + 1 < loop_begin_.size(); ++l) {
     const std::uint32_t begin = loop_begin_[l];
     const std::uint32_t end = loop_begin_[l + 1];
-    if (end - begin < 3) return false;
+    if (end == begin) return false;
+    if (end - begin == 1) continue;
     for (std::uint32_t i = begin; i < end; ++i) {
       const std::uint32_t from = rank_of[loop_points_[i]];
       const std::uint32_t to = rank_of[loop_points_[i + 1 == end ? begin : i + 1]];
       if (from == to) return false;
-      edges_.push_back(from < to ? Edge{from, to, true} : Edge{to, from, false});
+      edges_.push_back(from < to ? Edge{from, to, true, false} : Edge{to, from, false, true});
     }
   }
   by_left_.resize(edges_.size());
   for (std::uint32_t e = 0; e < edges_.size(); ++e) by_left_[e] = e;
   std::sort(by_left_.begin(), by_left_.end(), [&](std::uint32_t e, std::uint32_t f) {
-    return edges_[e].left != edges_[f].left ? edges_[e].left < edges_[f].left : e < f;
+    return std::tie(edges_[e].left, edges_[e].right, e) < std::tie(edges_[f].left, edges_[f].right, f);
   });
+  if (!join_slits()) return false;
   gaps_.assign(edges_.size(), Gap{none, none, none});
   ending_.assign(vertices_.size(), 0);
-  for (const Edge& e : edges_) ++ending_[e.right];
+  for (const std::uint32_t e : by_left_) ++ending_[edges_[e].right];
+  return true;
+}
+
+// Of two edges between the same vertices the first stays, for both. False where they have one direction.
+template <class Points>
+bool PolygonSweep<Points>::join_slits() {
+  std::size_t kept = 0;
+  for (const std::uint32_t e : by_left_) {
+    Edge* const last = kept == 0 ? nullptr : &edges_[by_left_[kept - 1]];
+    if (last == nullptr || last->left != edges_[e].left || last->right != edges_[e].right) {
+      by_left_[kept++] = e;
+      continue;
+    }
+    if ((last->inside_above && edges_[e].inside_above) || (last->inside_below && edges_[e].inside_below)) return false;
+    last->inside_above = last->inside_below = true;
+  }
+  by_left_.resize(kept);
   return true;
 }
 
@@ -115,6 +134,7 @@ bool PolygonSweep<Points>::visit(std::uint32_t vertex, std::span<std::uint32_t> 
   const std::uint32_t below = first == status_.begin() ? none : *std::prev(first);
   const bool inside_below = below != none && edges_[below].inside_above;
   const bool inside_above = ended == 0 ? inside_below : edges_[*std::prev(above)].inside_above;
+  if (ended == 0 && starting.empty() && !inside_below) return false;
 
   Gap lower{none, none, none};
   Gap upper{none, none, none};
@@ -130,8 +150,8 @@ bool PolygonSweep<Points>::visit(std::uint32_t vertex, std::span<std::uint32_t> 
   std::sort(starting.begin(), starting.end(), [&](std::uint32_t e, std::uint32_t f) { return is_below(e, f); });
   bool inside = inside_below;
   for (std::size_t i = 0; i < starting.size(); ++i) {
-    if (edges_[starting[i]].inside_above == inside) return false;
-    inside = !inside;
+    if (edges_[starting[i]].inside_below != inside) return false;
+    inside = edges_[starting[i]].inside_above;
     if (inside) gaps_[starting[i]] = i + 1 == starting.size() ? upper : fresh_gap(vertex);
   }
   if (inside != inside_above) return false;

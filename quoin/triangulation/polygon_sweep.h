@@ -18,7 +18,8 @@ namespace quoin {
 /// vertices that nowhere bends towards the part still to come. Each vertex is joined to the chain vertices that it
 /// sees, which cuts off triangles. Any number of edges may end and begin at a vertex, so touching loops are ordinary.
 /// Vertices are named by their rank in sweep order. Edges are checked for crossings when they become neighbours (Shamos
-/// and Hoey 1976). `Points` knows the geometry: `PlainPoints` or `ProjectedPoints`.
+/// and Hoey 1976). A slit is one edge with the interior on both sides; a vertex without edges splits a gap and mends
+/// it. `Points` knows the geometry: `PlainPoints` or `ProjectedPoints`.
 template <class Points>
 class PolygonSweep {
  public:
@@ -38,6 +39,7 @@ class PolygonSweep {
     std::uint32_t left;
     std::uint32_t right;
     bool inside_above;
+    bool inside_below;
   };
   // The interior above an edge, up to the next: its chain from bottom to top, and the link of the vertex met last.
   struct Gap {
@@ -65,6 +67,7 @@ class PolygonSweep {
 
   bool sort_vertices();
   bool make_edges();
+  bool join_slits();
   bool visit(std::uint32_t vertex, std::span<std::uint32_t> starting);
   bool close_gaps(std::uint32_t vertex, typename Status::iterator first, typename Status::iterator end);
   bool insert_edges(std::span<const std::uint32_t> starting, typename Status::iterator above);

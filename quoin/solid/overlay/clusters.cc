@@ -68,11 +68,14 @@ class ClusterBuilder {
       const Corners& corners = scene_.facets[f].corners;
       for (std::uint32_t k = 0; k < 3; ++k) {
         const Edge edge = edge_between(corners[k], corners[(k + 1) % 3]);
-        if (joined(f, k) != none && !std::binary_search(met_edges_.begin(), met_edges_.end(), edge)) continue;
-        result_.edges.push_back({result_.of[f], edge, units_.find(f)});
+        const bool is_inner = joined(f, k) != none && !std::binary_search(met_edges_.begin(), met_edges_.end(), edge);
+        (is_inner ? result_.inner_edges : result_.edges).push_back({result_.of[f], edge, units_.find(f)});
       }
     }
     std::sort(result_.edges.begin(), result_.edges.end());
+    std::vector<ClusterEdge>& inner = result_.inner_edges;
+    std::sort(inner.begin(), inner.end());
+    inner.erase(std::unique(inner.begin(), inner.end()), inner.end());
   }
 
   const Scene& scene_;

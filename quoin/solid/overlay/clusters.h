@@ -28,10 +28,11 @@ struct ClusterEdge {
 /// smallest facet. Neighbours in a cluster that stem from one mesh face are one unit, without the edge between them
 /// unless a facet of another plane runs along it.
 struct Clusters {
-  std::vector<std::uint32_t> of;   ///< per facet; itself where it shares no area
-  std::vector<bool> is_shared;     ///< per facet: its cluster has others
-  std::vector<bool> is_reversed;   ///< per facet: its normal opposes that of the facet that names its cluster
-  std::vector<ClusterEdge> edges;  ///< sorted; those of clusters with more than one facet
+  std::vector<std::uint32_t> of;         ///< per facet; itself where it shares no area
+  std::vector<bool> is_shared;           ///< per facet: its cluster has others
+  std::vector<bool> is_reversed;         ///< per facet: its normal opposes that of the facet that names its cluster
+  std::vector<ClusterEdge> edges;        ///< sorted; those of clusters with more than one facet
+  std::vector<ClusterEdge> inner_edges;  ///< sorted, unique; edges inside a unit, which the cluster goes without
 
   std::span<const ClusterEdge> edges_at(std::uint32_t cluster, Edge edge) const;
 };

@@ -49,7 +49,7 @@ struct PointOnEdge {
   friend auto operator<=>(const PointOnEdge&, const PointOnEdge&) = default;
 };
 
-/// A vertex strictly inside a facet.
+/// A vertex strictly inside a facet, or inside a unit of the cluster that the facet names.
 struct PointInFacet {
   std::uint32_t facet;
   PointId point;

@@ -11,6 +11,12 @@
 
 namespace quoin::overlay {
 
+/// A point of the sheets of a composed face that none of its loops names: it lies inside the face.
+struct InnerVertex {
+  std::uint32_t face;  ///< of the composed ones
+  PointId point;
+};
+
 /// The faces of a result before they are put together. A kept tile outside `is_in_composed` is a face of its own; the
 /// others were merged to composed faces, or cut.
 struct FaceParts {
@@ -20,6 +26,7 @@ struct FaceParts {
   /// Planes, loops and origins of the composed faces, in ascending order of their smallest sheet; points are those of
   /// the scene's table.
   Brep composed;
+  std::vector<InnerVertex> inner_vertices;     ///< ascending by face
   std::vector<std::uint32_t> composed_sheets;  ///< the smallest sheet of each
   std::vector<std::uint8_t> is_in_composed;    ///< per sheet
   std::vector<std::uint32_t> shell_of_patch;   ///< or none

@@ -12,6 +12,7 @@
 #include "quoin/solid/overlay/face_loops.h"
 #include "quoin/solid/overlay/kept_sheets.h"
 #include "quoin/solid/overlay/shell_orientation.h"
+#include "quoin/solid/overlay/touching_vertices.h"
 #include "quoin/solid/overlay/vertex_dissolving.h"
 
 namespace quoin::overlay {
@@ -224,9 +225,11 @@ class FaceMerger {
       const std::array<PointId, 3> corners = sheets_.corners(s);
       add_plane(s, corners);
       add_origins(s);
+      const auto first_member = member;
       for (; member != members_.end() && member->first == s; ++member) add_origins(member->second);
       sort_origins();
       add_loops(s, corners, boundary);
+      add_inner_vertices(s, {first_member, member});
     }
   }
 
@@ -253,6 +256,23 @@ class FaceMerger {
     composed.face_first_loop.push_back(static_cast<std::uint32_t>(composed.loop_begin.size() - 1));
   }
 
+  // A face that is one tile has none.
+  void add_inner_vertices(std::uint32_t sheet, std::span<const std::pair<std::uint32_t, std::uint32_t>> members) {
+    if (members.empty() && !sheets_.is_region(sheet)) return;
+    const Brep& composed = parts_.composed;
+    const auto face = static_cast<std::uint32_t>(composed.face_count() - 1);
+    if (face_with_point_.empty()) face_with_point_.assign(scene_.table.point_count(), none);
+    for (std::uint32_t i = composed.loop_begin[composed.face_first_loop[face]]; i < composed.loop_vertices.size(); ++i)
+      face_with_point_[composed.loop_vertices[i].value] = face;
+    const auto add = [&](PointId p) {
+      if (face_with_point_[p.value] == face) return;
+      face_with_point_[p.value] = face;
+      parts_.inner_vertices.push_back({face, p});
+    };
+    for_each_vertex(sheets_, sheet, add);
+    for (const auto& [root, member] : members) for_each_vertex(sheets_, member, add);
+  }
+
   // In the order of their first sheets, which is that of patches.
   void number_shells() {
     std::vector<std::uint32_t> number(shells_.size(), none);
@@ -276,6 +296,7 @@ class FaceMerger {
   DisjointSets shells_;                         // of patches
   std::vector<std::uint8_t> in_face_;           // per sheet: its face is chained from edges
   std::vector<std::uint32_t> face_with_facet_;  // per facet: the last composed face that it is an origin of
+  std::vector<std::uint32_t> face_with_point_;  // per point: the last composed face that was found to have it
   std::vector<FaceEdge> edges_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> members_;  // face, sheet
   bool has_colors_ = false;
@@ -291,6 +312,7 @@ Brep extract_boundary(const Sheets& sheets, const Fans& fans, const CellComplex&
   FaceParts parts = FaceMerger(sheets, fans, complex, truth, kept, context).run();
   std::vector<std::uint8_t> corners = corners_of_tile_faces(parts, context);
   dissolve_vertices(sheets.scene->table, corners, parts.composed);
+  add_touching_vertices(parts, corners);
   Brep result = emit_boundary(parts, std::move(corners), context);
   result.is_unbounded = truth.is_unbounded;
   orient_shells(result, context);

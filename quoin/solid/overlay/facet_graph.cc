@@ -83,10 +83,11 @@ bool FacetGraph::follows(std::size_t piece) const {
   return piece > 0 && raw_[piece].from == raw_[piece - 1].to;
 }
 
-// In the order in which pieces name them.
+// In the order in which pieces name them, then those without pieces.
 void FacetGraph::number_nodes() {
   nodes_.clear();
-  node_slots_.assign(std::bit_ceil(2 * raw_.size() + 2), no_node);
+  const std::span<const PointInFacet> inside = network_.points_in(facet_);
+  node_slots_.assign(std::bit_ceil(2 * (raw_.size() + inside.size()) + 2), no_node);
   pieces_.clear();
   std::uint32_t last = 0;
   for (std::size_t i = 0; i < raw_.size(); ++i) {
@@ -94,11 +95,12 @@ void FacetGraph::number_nodes() {
     last = number_of(raw_[i].to);
     pieces_.push_back({{from, last}, raw_[i].line});
   }
+  for (const PointInFacet& p : inside) number_of(p.point);
   std::stable_sort(pieces_.begin(), pieces_.end(),
                    [&](const Piece& p, const Piece& q) { return ends_of(p) < ends_of(q); });
 }
 
-// Open addressing in a table at most half full: no graph has more nodes than pieces and one.
+// Open addressing in a table at most half full: no graph has more nodes than pieces, points inside, and one.
 std::uint32_t FacetGraph::number_of(PointId point) {
   const std::size_t mask = node_slots_.size() - 1;
   std::size_t slot = (point.value * 0x9E3779B1U >> 7U) & mask;

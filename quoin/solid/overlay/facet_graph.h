@@ -12,7 +12,8 @@
 
 namespace quoin::overlay {
 
-/// The planar graph of one facet, or of a cluster of facets: boundaries and curves, cut at all their vertices.
+/// The planar graph of one facet, or of a cluster of facets: boundaries and curves, cut at all their vertices, and
+/// vertices that touch from one side, as nodes without pieces.
 ///
 /// Halfedges 2p and 2p + 1 are the two directions of piece p. `next` continues along the face on the left. Everything
 /// "counterclockwise" and "left" is seen from the positive side of the facet's plane. One object serves many facets in

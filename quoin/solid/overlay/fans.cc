@@ -37,6 +37,7 @@ class FanBuilder {
   }
 
   void add_loop(std::span<const PointId> loop, std::uint32_t sheet) {
+    if (loop.size() == 1) return;
     for (std::size_t i = 0; i < loop.size(); ++i) add_side(loop[i], loop[i + 1 == loop.size() ? 0 : i + 1], sheet);
   }
 

@@ -247,7 +247,17 @@ class NetworkBuilder {
       }
     }
     sort_unique(network_.edge_points, context_);
+    add_points_on_inner_edges();
     sort_unique(network_.facet_points, context_);
+  }
+
+  // Where no curve ends, they touch the cluster from one side. An end of such an edge lies inside the unit where a
+  // vertex touches the mesh face.
+  void add_points_on_inner_edges() {
+    for (const ClusterEdge& e : network_.clusters.inner_edges) {
+      for (const std::uint32_t end : {e.edge.a, e.edge.b}) network_.facet_points.push_back({e.cluster, PointId{end}});
+      for (const PointOnEdge& p : network_.points_on(e.edge)) network_.facet_points.push_back({e.cluster, p.point});
+    }
   }
 
   // A wall that stands on a cluster along an edge that the cluster has anyway.

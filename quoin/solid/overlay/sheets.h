@@ -40,6 +40,20 @@ struct Sheets {
   }
 };
 
+/// Calls visit(point) for the corners of a tile, or for all vertices of a region's loops, some of them several times.
+template <class Visit>
+void for_each_vertex(const Sheets& sheets, std::uint32_t sheet, const Visit& visit) {
+  if (!sheets.is_region(sheet)) {
+    for (const PointId p : sheets.corners(sheet)) visit(p);
+    return;
+  }
+  const Subdivision& cut = *sheets.subdivision;
+  const std::uint32_t region = sheets.region(sheet);
+  for (std::uint32_t l = cut.region_first_loop[region]; l < cut.region_first_loop[region + 1]; ++l) {
+    for (const PointId p : cut.loop(l)) visit(p);
+  }
+}
+
 /// By how much the winding numbers change from the front of a sheet to its back: +1 for each tile it is part of, -1
 /// where that tile has the opposite normal. Ascending by leaf, none of them 0.
 void windings_across(const Sheets& sheets, std::uint32_t sheet, std::vector<Winding>& out);

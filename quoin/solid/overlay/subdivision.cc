@@ -13,7 +13,7 @@ namespace quoin::overlay {
 
 namespace {
 
-// Traces the faces of one facet's graph and nests the parts that do not touch its boundary.
+// Traces the faces of one facet's graph and nests the parts that do not touch its boundary, single nodes among them.
 class RegionTracer {
  public:
   RegionTracer(FacetGraph& graph, const Scene& scene, const Clusters& clusters, Subdivision& out)
@@ -23,15 +23,9 @@ class RegionTracer {
     const std::array<std::uint32_t, 1> itself{facet};
     trace_cycles();
     find_parts();
-    if (part_count_ == 1) {
-      for (const Cycle& cycle : cycles_) {
-        if (!cycle.is_outside) emit(facet, itself, cycle, {});
-      }
-      return;
-    }
-    nest_parts();
+    if (part_count_ > 1) nest_parts();
     for (std::uint32_t c = 0; c < cycles_.size(); ++c) {
-      if (!cycles_[c].is_outside) emit(facet, itself, cycles_[c], holes_of(c));
+      if (!cycles_[c].is_outside) emit(facet, itself, c);
     }
   }
 
@@ -45,7 +39,7 @@ class RegionTracer {
       if (cycles_[c].is_outside || covers.of(c).empty()) continue;
       const std::size_t first_vertex = out_.loop_vertices.size();
       const std::size_t first_loop = out_.loop_begin.size() - 1;
-      emit(facing(covers.of(c)), covers.of(c), cycles_[c], holes_of(c));
+      emit(facing(covers.of(c)), covers.of(c), c);
       if (clusters_.is_reversed[out_.region_facet.back()]) reverse_loops(first_loop, first_vertex);
     }
   }
@@ -57,11 +51,19 @@ class RegionTracer {
     bool is_outside = false;  // of its part
     std::array<double, 6> box{};
   };
+  // What lies inside a cycle and in none that is deeper.
+  struct Nested {
+    std::uint32_t parent;  // cycle
+    std::uint32_t inner;   // cycle or node
+    friend auto operator<=>(const Nested&, const Nested&) = default;
+  };
 
   void trace_cycles() {
     const auto halfedges = static_cast<std::uint32_t>(2 * graph_.piece_count());
     cycle_of_.assign(halfedges, none);
     cycles_.clear();
+    holes_.clear();
+    singles_.clear();
     for (std::uint32_t h = 0; h < halfedges; ++h) {
       if (cycle_of_[h] != none) continue;
       cycles_.push_back({h, 0, graph_.is_outside(h), {}});
@@ -121,7 +123,7 @@ class RegionTracer {
     const std::vector<std::uint32_t> smallest = smallest_nodes();
     around_.assign(graph_.node_count(), {});
     for (std::uint32_t part = 0; part < smallest.size(); ++part) {
-      if (smallest[part] == none || part == boundary_part) continue;
+      if (smallest[part] == none || part == boundary_part || is_single(part)) continue;
       cycles_[outside_cycle(smallest[part])].is_outside = true;
     }
     for (std::uint32_t part = 0; part < smallest.size(); ++part) {
@@ -131,13 +133,19 @@ class RegionTracer {
           around_[part].push_back(c);
       }
     }
-    hole_parents_.clear();
     for (std::uint32_t c = 0; c < cycles_.size(); ++c) {
       if (cycles_[c].is_outside && cycles_[c].part != boundary_part && !around_[cycles_[c].part].empty())
-        hole_parents_.push_back({innermost(cycles_[c].part), c});
+        holes_.push_back({innermost(cycles_[c].part), c});
     }
-    std::sort(hole_parents_.begin(), hole_parents_.end());
+    for (std::uint32_t n = 0; n < graph_.node_count(); ++n) {
+      if (is_single(n) && !around_[n].empty()) singles_.push_back({innermost(n), n});
+    }
+    std::sort(holes_.begin(), holes_.end());
+    std::sort(singles_.begin(), singles_.end());
   }
+
+  // A node without pieces is a part of its own.
+  bool is_single(std::uint32_t node) const { return graph_.leaving(node).empty(); }
 
   void set_box(Cycle& cycle) {
     cycle.box = {1e308, 1e308, 1e308, -1e308, -1e308, -1e308};
@@ -175,10 +183,10 @@ class RegionTracer {
     });
   }
 
-  std::span<const std::pair<std::uint32_t, std::uint32_t>> holes_of(std::uint32_t c) const {
-    const auto first = std::lower_bound(hole_parents_.begin(), hole_parents_.end(), std::pair(c, 0U));
+  static std::span<const Nested> inside(const std::vector<Nested>& all, std::uint32_t cycle) {
+    const auto first = std::lower_bound(all.begin(), all.end(), Nested{cycle, 0});
     auto last = first;
-    while (last != hole_parents_.end() && last->first == c) ++last;
+    while (last != all.end() && last->parent == cycle) ++last;
     return {first, last};
   }
 
@@ -203,7 +211,7 @@ class RegionTracer {
     const auto outside = static_cast<std::uint32_t>(cycles_.size());
     std::vector<std::uint32_t> region(cycles_.size());
     for (std::uint32_t c = 0; c < cycles_.size(); ++c) region[c] = cycles_[c].is_outside ? outside : c;
-    for (const auto& [parent, hole] : hole_parents_) region[hole] = parent;
+    for (const auto& [parent, hole] : holes_) region[hole] = parent;
     std::vector<RegionNeighbours> neighbours;
     for (std::uint32_t p = 0; p < graph_.piece_count(); ++p) {
       neighbours.push_back({region[cycle_of_[2 * p]], region[cycle_of_[2 * p + 1]], graph_.units_at(p)});
@@ -211,10 +219,13 @@ class RegionTracer {
     return find_covers(outside + 1, outside, neighbours);
   }
 
-  void emit(std::uint32_t facet, std::span<const std::uint32_t> covers, const Cycle& cycle,
-            std::span<const std::pair<std::uint32_t, std::uint32_t>> holes) {
-    emit_loop(cycle);
-    for (const auto& [parent, hole] : holes) emit_loop(cycles_[hole]);
+  void emit(std::uint32_t facet, std::span<const std::uint32_t> covers, std::uint32_t cycle) {
+    emit_loop(cycles_[cycle]);
+    for (const auto& [parent, hole] : inside(holes_, cycle)) emit_loop(cycles_[hole]);
+    for (const auto& [parent, node] : inside(singles_, cycle)) {
+      out_.loop_vertices.push_back(graph_.node(node));
+      end_loop();
+    }
     out_.region_facet.push_back(facet);
     out_.covers.insert(out_.covers.end(), covers.begin(), covers.end());
     out_.region_first_cover.push_back(static_cast<std::uint32_t>(out_.covers.size()));
@@ -227,8 +238,10 @@ class RegionTracer {
       out_.loop_vertices.push_back(graph_.node(graph_.tail(h)));
       h = graph_.next(h);
     } while (h != cycle.first);
-    out_.loop_begin.push_back(static_cast<std::uint32_t>(out_.loop_vertices.size()));
+    end_loop();
   }
+
+  void end_loop() { out_.loop_begin.push_back(static_cast<std::uint32_t>(out_.loop_vertices.size())); }
 
   FacetGraph& graph_;
   const Scene& scene_;
@@ -240,8 +253,9 @@ class RegionTracer {
   std::vector<std::uint32_t> cycle_of_;
   std::vector<std::uint32_t> part_;
   std::size_t part_count_ = 0;
-  std::vector<std::vector<std::uint32_t>> around_;                     // per part: cycles that contain it
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> hole_parents_;  // cycle, hole cycle
+  std::vector<std::vector<std::uint32_t>> around_;  // per part: cycles that contain it
+  std::vector<Nested> holes_;                       // sorted; cycles that are the outside of their part
+  std::vector<Nested> singles_;                     // sorted; nodes without pieces
 };
 
 void append(Subdivision& all, const Subdivision& part) {

@@ -14,6 +14,7 @@ namespace quoin::overlay {
 /// facet enters.
 ///
 /// Loops are closed chains of vertices with the region on their left, seen from the positive side of the facet's plane.
+/// A vertex that touches a region from one side is a loop of its own.
 struct Subdivision {
   /// Per region: its facet; of a cluster, one that covers it and has the orientation in which the winding number of the
   /// smallest leaf grows from front to back, so that regions of one surface agree.
