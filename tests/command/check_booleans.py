@@ -5,7 +5,7 @@
 """
 import time
 
-from command import DONE, REFUSED, USAGE, CUBE_FACES, CommandTest, box, corners, main, off
+from command import REFUSED, USAGE, CUBE_FACES, CommandTest, box, corners, main, off
 
 SUMMARY = ("vertices edges faces triangles shells voids components closed manifold nonmanifold_edges "
            "nonmanifold_vertices unbounded volume area bounds inputs")
@@ -61,6 +61,15 @@ class Booleans(CommandTest):
 
     def test_view_names_pages_only(self):
         self.assertNotIn("browser", self.run_quoin("view", "a.off", "-o", "x.off").stdout)
+
+    def test_pages_are_made_or_refused_before_reading(self):
+        if "was not built" in self.run_quoin("view", "missing.off", code=None).stderr:
+            self.run_quoin("union", "missing.off", "-o", "x.html", code=REFUSED)
+            return
+        self.assertIn("open a.html in a browser", self.run_quoin("view", "a.off").stdout)
+        self.run_quoin("union", "a.off", "b.off", "-o", "x.HTML", "-o", "x.off")
+        self.assertIn(b"<html", self.read("x.HTML"))
+        self.assertIn("<html", self.run_quoin("union", "a.off", "b.off", "-o", "-", "--format", "html").stdout)
 
     def test_weld_says_what_it_did(self):
         vertices = corners((0, 0, 0), (1, 1, 1))
@@ -132,20 +141,21 @@ class Repairs(CommandTest):
 
 
 class Rounding(CommandTest):
-    def write_plates(self, count):
-        """Plates a fraction of an ulp apart once they are cut along a plane of thirds."""
-        self.write("cut.off", off([(0, 0, 0), (3, 0, 0), (0, 3, 0), (0, 0, 1)],
-                                  [(0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2)]))
-
     def test_thirds_are_certified(self):
-        self.write_plates(1)
-        report = self.json_of("intersection", "cut.off", "b.off", "cut.off", code=DONE)
-        self.assertIn(report["rounding"], ("exact", "certified"))
-        self.write("third.off", box((0, 0, 0.25), (1, 1, 2)))
-        report = self.json_of("intersection", "cut.off", "third.off", "-o", "t.off")
-        self.assertEqual(report["rounding"], "certified")
-        self.assertGreater(report["max_displacement"], 0)
-        self.assertEqual(self.json_of("check", "t.off")["valid"], True)
+        self.write("slope.off", off([(0, 0, 0), (3, 0, 0), (0, 3, 0), (0, 0, 1)],
+                                    [(0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2)]))
+        self.write("step.off", box((0, 0, 0.25), (1, 1, 2)))
+        for more in ([], ["--accept-rounding"]):
+            report = self.json_of("intersection", "slope.off", "step.off", "-o", "t.off", "-o", "t.stl", *more)
+            self.assertEqual(report["rounding"], "certified")
+            self.assertGreater(report["max_displacement"], 0)
+            for name in ("t.off", "t.stl"):
+                self.assertEqual(self.json_of("check", name)["valid"], True)
+
+    def test_a_format_that_cannot_hold_the_result(self):
+        self.write("large.off", box((0, 0, 0), (1e300, 1, 1)))
+        self.run_quoin("convert", "large.off", "-o", "large.off.ply")
+        self.assertIn("too large", self.run_quoin("convert", "large.off", "-o", "large.stl", code=REFUSED).stderr)
 
 
 if __name__ == "__main__":
