@@ -65,6 +65,7 @@ Repaired repair_input(const Input& input, const std::string& name, const Context
 
 std::vector<std::string> lines_of(const std::vector<RepairChange>& changes) {
   std::vector<std::string> lines;
+  lines.reserve(changes.size());
   for (const RepairChange& change : changes) lines.push_back("repaired: " + describe(change.what, change.faces));
   return lines;
 }

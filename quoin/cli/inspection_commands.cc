@@ -17,6 +17,8 @@ using Json = nlohmann::ordered_json;
 
 // What is known about one file; `json` holds it, and more than the text says.
 struct Inspection {
+  explicit Inspection(const std::string& name) { json["file"] = name; }
+
   Json json;
   std::string text;
   std::vector<std::string> warnings;
@@ -42,8 +44,7 @@ int inspect_all(const Inspect& inspect, const Options& options, const Context& c
   int exit_code = 0;
   Json all = Json::array();
   for (const std::string& name : options.inputs) {
-    Inspection one;
-    one.json["file"] = name;
+    Inspection one(name);
     try {
       inspect(name, one);
     } catch (...) {
