@@ -8,7 +8,7 @@ namespace quoin::cli {
 
 /// Each command prints its report and returns the exit code: 0 done, 1 refused with a reason. The others are made from
 /// exceptions.
-int run_boolean(const std::string& operation, const Options& options, const Context& context);
+int run_boolean(const Options& options, const Context& context);
 int run_csg(const Options& options, const Context& context);
 int run_info(const Options& options, const Context& context);
 int run_check(const Options& options, const Context& context);

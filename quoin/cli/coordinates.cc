@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "quoin/cli/coordinates.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
-#include "quoin/base/error.h"
+#include "quoin/cli/failure.h"
 
 namespace quoin::cli {
 
@@ -34,6 +35,21 @@ std::vector<Rational> parse_coordinates(std::string_view text, std::size_t count
     throw InputError(what + ": '" + std::string(text) + "' has " + std::to_string(numbers.size()) +
                      " numbers and not " + std::to_string(count));
   }
+  return numbers;
+}
+
+std::vector<Rational> parse_argument(std::string_view text, std::size_t count, const std::string& what,
+                                     std::optional<std::size_t> direction) {
+  std::vector<Rational> numbers;
+  try {
+    numbers = parse_coordinates(text, count, what);
+  } catch (const InputError& error) {
+    throw UsageError(error.what());
+  }
+  const auto is_zero = [](const Rational& number) { return number.sign() == Sign::zero; };
+  if (direction && std::all_of(numbers.begin() + static_cast<std::ptrdiff_t>(*direction),
+                               numbers.begin() + static_cast<std::ptrdiff_t>(*direction) + 3, is_zero))
+    throw UsageError(what + ": '" + std::string(text) + "' has no direction");
   return numbers;
 }
 

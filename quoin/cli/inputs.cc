@@ -1,83 +1,169 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "quoin/cli/inputs.h"
 
+#include <algorithm>
+#include <cctype>
+#include <fstream>
 #include <iostream>
 #include <iterator>
 
 #include "quoin/base/error.h"
 #include "quoin/cli/diagnosis.h"
+#include "quoin/cli/streams.h"
 #include "quoin/io/exact_text.h"
 
 namespace quoin::cli {
 
-Mesh load_mesh(const std::string& name, const Options& options, std::vector<std::string>& warnings,
-               const Context& context) {
-  ReadOptions read;
-  read.weld_tolerance = options.weld_tolerance;
-  MeshFile file;
-  if (name == "-") {
-    const std::string bytes{std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
-    file = read_mesh(bytes, "standard input", read, context);
-  } else {
-    file = read_mesh(std::filesystem::path(name), read, context);
+namespace {
+
+// Whether the first word that is not in a comment is that of exact text.
+bool begins_like_exact_text(std::string_view bytes) {
+  constexpr std::string_view blanks = " \t\r\n";
+  for (;;) {
+    const std::size_t begin = bytes.find_first_not_of(blanks);
+    if (begin == std::string_view::npos) return false;
+    bytes.remove_prefix(begin);
+    if (bytes[0] != '#') return bytes.starts_with("quoin-solid");
+    bytes.remove_prefix(std::min(bytes.find('\n'), bytes.size()));
   }
-  for (const std::string& w : file.report.warnings) warnings.push_back(name + ": " + w);
+}
+
+// The first bytes of a file; none of a pipe, which could not be read again.
+std::string first_bytes(const std::string& name) {
+  constexpr std::size_t enough = 4096;
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(name, error)) return {};
+  std::ifstream file(name, std::ios::binary);
+  std::string bytes(enough, '\0');
+  file.read(bytes.data(), enough);
+  bytes.resize(static_cast<std::size_t>(file.gcount()));
+  return bytes;
+}
+
+bool is_pipe(const std::string& name) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(name, error);
+  return std::filesystem::is_fifo(status) || std::filesystem::is_character_file(status) ||
+         std::filesystem::is_socket(status);
+}
+
+std::string text_of(double number) {
+  return nlohmann::json(number).dump();
+}
+
+Mesh accept(MeshFile file, const std::string& name, const Options& options, std::vector<std::string>& warnings) {
+  for (const std::string& w : file.report.warnings) warnings.push_back(shown(name) + ": " + w);
+  if (options.weld_tolerance) {
+    warnings.push_back(shown(name) + ": " + std::to_string(file.report.welded) + " of " +
+                       std::to_string(file.report.vertices_in_file) +
+                       " vertices welded to others; the largest move of a coordinate is " +
+                       text_of(file.report.weld_displacement));
+  }
   return std::move(file.mesh);
 }
 
-namespace {
+Input input_of_bytes(const std::string& bytes, const std::string& name, const ReadOptions& read, const Options& options,
+                     std::vector<std::string>& warnings, const Context& context) {
+  if (ending_of(name) == ".qsolid" || begins_like_exact_text(bytes)) {
+    if (options.weld_tolerance) warnings.push_back(shown(name) + ": exact text is not welded");
+    return read_exact_text(bytes, shown(name));
+  }
+  return accept(read_mesh(bytes, shown(name), read, context), name, options, warnings);
+}
 
 // The leaf, with the findings as warnings. @throws InputError with the findings where there is none
-std::shared_ptr<const Leaf> accept(const std::string& name, const LeafResult& result,
-                                   const std::vector<std::string>& findings, std::vector<std::string>& warnings) {
-  if (!result.leaf) {
-    std::string message = name + ": does not bound a solid";
-    for (const std::string& line : findings) message += "\n  " + line;
-    throw InputError(message);
-  }
-  for (const std::string& line : findings) warnings.push_back(name + ": " + line);
-  if (result.leaf->tiles.empty()) warnings.push_back(name + ": " + no_faces);
+std::shared_ptr<const Leaf> accept(const std::string& name, const Input& input, const LeafResult& result,
+                                   std::vector<std::string>& warnings) {
+  const std::vector<std::string> findings = describe(input, result.diagnosis);
+  if (!result.leaf) throw InputError(refusal(name, "does not bound a solid", findings));
+  for (const std::string& line : findings) warnings.push_back(shown(name) + ": " + line);
+  if (result.leaf->tiles.empty()) warnings.push_back(shown(name) + ": " + no_faces);
   return result.leaf;
 }
 
-std::shared_ptr<const Leaf> leaf_of_boundary(const Brep& boundary, const std::string& name,
-                                             std::vector<std::string>& warnings, const Context& context) {
-  const LeafResult result = make_leaf(boundary, std::filesystem::path(name).stem().string(), {}, context);
-  return accept(name, result, describe_boundary(result.diagnosis), warnings);
+bool is_unbounded(const Input& input) {
+  const Brep* exact = std::get_if<Brep>(&input);
+  return exact != nullptr && exact->is_unbounded;
 }
 
 }  // namespace
 
-std::shared_ptr<const Leaf> load_leaf(const std::string& name, const Options& options,
-                                      std::vector<std::string>& warnings, const Context& context) {
-  const LeafResult result = make_leaf(load_mesh(name, options, warnings, context), {}, context);
-  return accept(name, result, describe(result.diagnosis), warnings);
+Input read_input(const std::string& name, const Options& options, std::vector<std::string>& warnings,
+                 const Context& context) {
+  ReadOptions read;
+  read.weld_tolerance = options.weld_tolerance;
+  if (name == standard_stream || is_pipe(name) || ending_of(name) == ".qsolid" ||
+      begins_like_exact_text(first_bytes(name))) {
+    return input_of_bytes(read_all(name), name, read, options, warnings, context);
+  }
+  return accept(read_mesh(std::filesystem::path(name), read, context), name, options, warnings);
 }
 
-bool is_exact_text(const std::string& name) {
-  return std::filesystem::path(name).extension() == ".qsolid";
+LeafResult make_leaf(const Input& input, const std::string& name, const Context& context) {
+  if (const Mesh* mesh = std::get_if<Mesh>(&input)) return quoin::make_leaf(*mesh, {}, context);
+  return quoin::make_leaf(std::get<Brep>(input), std::filesystem::path(shown(name)).stem().string(), {}, context);
+}
+
+std::vector<std::string> describe(const Input& input, const MeshDiagnosis& diagnosis) {
+  return std::holds_alternative<Mesh>(input) ? describe(diagnosis) : describe_boundary(diagnosis);
+}
+
+std::string refusal(const std::string& name, const std::string& verdict, const std::vector<std::string>& findings) {
+  std::string message = shown(name) + ": " + verdict;
+  for (const std::string& line : findings) message += "\n  " + line;
+  return message;
 }
 
 Solid load_operand(const std::string& name, const Options& options, std::vector<std::string>& warnings,
                    const Context& context) {
-  if (!is_exact_text(name)) return Solid::of_leaf(load_leaf(name, options, warnings, context));
-  const Brep boundary = read_exact_text(read_file(name), name);
-  std::shared_ptr<const Leaf> leaf = leaf_of_boundary(boundary, name, warnings, context);
-  return boundary.is_unbounded ? Solid::of_complement(std::move(leaf)) : Solid::of_leaf(std::move(leaf));
+  const Input input = read_input(name, options, warnings, context);
+  std::shared_ptr<const Leaf> leaf = accept(name, input, make_leaf(input, name, context), warnings);
+  return is_unbounded(input) ? Solid::of_complement(std::move(leaf)) : Solid::of_leaf(std::move(leaf));
+}
+
+std::vector<Solid> load_operands(const std::vector<std::string>& names, const Options& options,
+                                 std::vector<std::string>& warnings, const Context& context) {
+  std::vector<Solid> solids;
+  for (const std::string& name : names) {
+    context.progress("operands", static_cast<double>(solids.size()) / static_cast<double>(names.size()));
+    solids.push_back(load_operand(name, options, warnings, context));
+  }
+  return solids;
 }
 
 std::shared_ptr<const Brep> load_boundary(const std::string& name, const Options& options,
                                           std::vector<std::string>& warnings, const Context& context) {
-  if (!is_exact_text(name))
-    return Solid::from_leaf(load_leaf(name, options, warnings, context), context).shared_boundary();
-  auto boundary = std::make_shared<const Brep>(read_exact_text(read_file(name), name));
-  leaf_of_boundary(*boundary, name, warnings, context);
-  return boundary;
+  Input input = read_input(name, options, warnings, context);
+  std::shared_ptr<const Leaf> leaf = accept(name, input, make_leaf(input, name, context), warnings);
+  if (Brep* exact = std::get_if<Brep>(&input)) return std::make_shared<const Brep>(std::move(*exact));
+  input = Mesh{};  // the leaf holds what is needed
+  return Solid::from_leaf(std::move(leaf), context).shared_boundary();
+}
+
+std::string read_all(const std::string& name) {
+  if (name != standard_stream) return read_file(name);
+  std::string bytes{std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
+  if (std::cin.bad()) throw FileError("standard input: cannot be read");
+  return bytes;
+}
+
+std::string shown(const std::string& name) {
+  return name == standard_stream ? "standard input" : name;
+}
+
+std::string in_small_letters(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+std::string ending_of(const std::string& name) {
+  return in_small_letters(std::filesystem::path(name).extension().string());
 }
 
 void print_warnings(const std::vector<std::string>& warnings, const Options& options) {
   if (options.quiet) return;
-  for (const std::string& w : warnings) std::cerr << "quoin: warning: " << w << "\n";
+  for (const std::string& w : warnings) note_stream() << "quoin: warning: " << w << "\n";
 }
 
 }  // namespace quoin::cli

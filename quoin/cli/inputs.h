@@ -2,6 +2,8 @@
 #pragma once
 
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "quoin/base/context.h"
@@ -11,24 +13,45 @@
 
 namespace quoin::cli {
 
-/// Reads a file or standard input and passes its warnings to `warnings`.
-Mesh load_mesh(const std::string& name, const Options& options, std::vector<std::string>& warnings,
-               const Context& context);
+/// What a file holds: a mesh or exact text.
+using Input = std::variant<Mesh, Brep>;
 
-/// Reads a mesh as an operand. @throws InputError with the diagnosis when it does not bound a solid
-std::shared_ptr<const Leaf> load_leaf(const std::string& name, const Options& options,
-                                      std::vector<std::string>& warnings, const Context& context);
+/// Reads a file, or standard input for "-"; exact text is told by its ending or its first word. Warnings of the reader,
+/// and what welding by a tolerance did, go to `warnings`.
+Input read_input(const std::string& name, const Options& options, std::vector<std::string>& warnings,
+                 const Context& context);
 
-/// Whether a name ends in .qsolid.
-bool is_exact_text(const std::string& name);
+/// An input as an operand, or why it is none.
+LeafResult make_leaf(const Input& input, const std::string& name, const Context& context);
 
-/// Exact text or a mesh as an operand that is not evaluated. @throws InputError as load_leaf
+/// What a diagnosis of this input finds, a line each.
+std::vector<std::string> describe(const Input& input, const MeshDiagnosis& diagnosis);
+
+/// The message about an input that bounds no solid.
+std::string refusal(const std::string& name, const std::string& verdict, const std::vector<std::string>& findings);
+
+/// Reads an operand that is not evaluated. @throws InputError with the diagnosis when it does not bound a solid
 Solid load_operand(const std::string& name, const Options& options, std::vector<std::string>& warnings,
                    const Context& context);
 
-/// Exact text or a mesh as a boundary. @throws InputError as load_leaf
+/// Reads operands, with progress. @throws InputError as load_operand
+std::vector<Solid> load_operands(const std::vector<std::string>& names, const Options& options,
+                                 std::vector<std::string>& warnings, const Context& context);
+
+/// Reads a boundary: exact text as it is, a mesh with its coplanar faces merged. @throws InputError as load_operand
 std::shared_ptr<const Brep> load_boundary(const std::string& name, const Options& options,
                                           std::vector<std::string>& warnings, const Context& context);
+
+/// All of a file, or of standard input for "-". @throws FileError
+std::string read_all(const std::string& name);
+
+/// The name for people: that of the file, or "standard input".
+std::string shown(const std::string& name);
+
+std::string in_small_letters(std::string text);
+
+/// The ending of a name with its dot, in small letters.
+std::string ending_of(const std::string& name);
 
 void print_warnings(const std::vector<std::string>& warnings, const Options& options);
 

@@ -8,10 +8,15 @@
 
 namespace quoin::cli {
 
+/// The name that stands for standard input or standard output.
+inline constexpr const char* standard_stream = "-";
+
 /// What all commands understand.
 struct Options {
-  std::vector<std::string> inputs;   ///< files, or "-" for standard input
-  std::vector<std::string> outputs;  ///< files with a known ending, "-" for OFF on standard output
+  std::string command;
+  std::vector<std::string> inputs;   ///< files, or "-" for standard input; of `csg`: NAME=FILE
+  std::vector<std::string> outputs;  ///< files with a known ending, "-" for standard output
+  std::string format;                ///< of "-" among the outputs: an ending without its dot; empty: OFF
   std::string expression;            ///< of `csg`
   std::vector<std::string> points;   ///< of `classify`: "x,y,z"
   std::vector<std::string> lines;    ///< of `classify`: "x,y,z,dx,dy,dz"

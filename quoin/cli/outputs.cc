@@ -4,11 +4,12 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <iostream>
 #include <optional>
 
 #include "quoin/base/error.h"
 #include "quoin/cli/scene_of_solid.h"
+#include "quoin/cli/streams.h"
+#include "quoin/cli/targets.h"
 #include "quoin/io/exact_text.h"
 #include "quoin/io/mesh_file.h"
 #include "quoin/view/page.h"
@@ -17,34 +18,13 @@ namespace quoin::cli {
 
 namespace {
 
-enum class Kind { mesh, page, exact };
-
-struct Target {
-  std::string name;
-  Kind kind;
-  MeshFormat format = MeshFormat::off;
-};
-
-Target target_of(const std::string& name) {
-  if (name == "-") return {name, Kind::mesh};
-  const std::string ending = std::filesystem::path(name).extension().string();
-  if (ending == ".html" || ending == ".htm") return {name, Kind::page};
-  if (ending == ".qsolid") return {name, Kind::exact};
-  const auto format = format_from_path(name);
-  if (!format)
-    throw InputError(name + ": the ending tells no format that is written (off, obj, stl, ply, html, qsolid)");
-  return {name, Kind::mesh, *format};
-}
-
 class OutputWriter {
  public:
   OutputWriter(const Brep& boundary, std::string title, const Options& options, const Context& context)
       : boundary_(boundary), title_(std::move(title)), options_(options), context_(context) {}
 
   OutputReport run() {
-    std::vector<Target> targets;
-    for (const std::string& name : options_.outputs) targets.push_back(target_of(name));
-    for (const Target& target : targets) write(target);
+    for (const Target& target : targets_of(options_)) write(target);
     return std::move(report_);
   }
 
@@ -69,30 +49,40 @@ class OutputWriter {
     for (std::size_t i = 0; i < std::min<std::size_t>(t.crossings.size(), 4); ++i) {
       note += " " + std::to_string(t.crossings[i].a) + "/" + std::to_string(t.crossings[i].b);
     }
-    report_.notes.push_back(note);
-    if (!options_.accept_rounding) report_.written = false;
+    (options_.accept_rounding ? report_.notes : report_.refusals).push_back(note);
     return options_.accept_rounding;
   }
 
   void write(const Target& target) {
-    if (target.kind == Kind::exact) {
-      write_exact_text(std::filesystem::path(target.name), boundary_);
-      return;
+    switch (target.kind) {
+      case Target::Kind::exact:
+        if (!target.is_stream()) return write_exact_text(std::filesystem::path(target.name), boundary_);
+        return to_stream([&](std::ostream& out) { write_exact_text(out, boundary_); });
+      case Target::Kind::page:
+        return write_html(target);
+      case Target::Kind::mesh:
+        return write_triangles(target);
+      case Target::Kind::drawing:
+        break;
     }
-    if (target.kind == Kind::page) {
-      write_html(target.name);
-      return;
-    }
+    throw InternalError(target.name + ": solids are not written as drawings");
+  }
+
+  template <class Write>
+  static void to_stream(const Write& write) {
+    write(data_stream());
+    flush_standard_output();
+  }
+
+  void write_triangles(const Target& target) {
     if (boundary_.is_unbounded)
       throw InputError(target.name + ": the solid is unbounded; only .html and .qsolid hold such");
     const Triangulated& t = triangles(is_single_precision(target.format) ? Precision::binary32 : Precision::binary64);
     if (!is_acceptable(t, target.name)) return;
     const Mesh mesh = to_mesh(boundary_, t, title_);
     WriteReport written;
-    if (target.name == "-") {
-      written = write_mesh(std::cout, target.format, mesh, context_);
-      std::cout.flush();
-      if (!std::cout) throw FileError("standard output: writing failed");
+    if (target.is_stream()) {
+      to_stream([&](std::ostream& out) { written = write_mesh(out, target.format, mesh, context_); });
     } else {
       written = write_mesh(std::filesystem::path(target.name), target.format, mesh, context_);
     }
@@ -100,13 +90,14 @@ class OutputWriter {
   }
 
   // A picture may show rounded coordinates in any case; the report says how they are.
-  void write_html(const std::string& name) {
-    const Triangulated& t = triangles(Precision::binary64);
-    std::ofstream out(name, std::ios::binary);
-    if (!out) throw FileError(name + ": cannot be written");
-    write_page(out, scene_of_solid(boundary_, t, title_, context_));
+  void write_html(const Target& target) {
+    const ViewScene scene = scene_of_solid(boundary_, triangles(Precision::binary64), title_, context_);
+    if (target.is_stream()) return to_stream([&](std::ostream& out) { write_page(out, scene); });
+    std::ofstream out(target.name, std::ios::binary);
+    if (!out) throw FileError(target.name + ": cannot be written");
+    write_page(out, scene);
     out.close();
-    if (!out) throw FileError(name + ": writing failed");
+    if (!out) throw FileError(target.name + ": writing failed");
   }
 
   const Brep& boundary_;

@@ -16,13 +16,12 @@ struct OutputReport {
   Rounding rounding = Rounding::exact;  ///< the worst of all files
   double max_displacement = 0;
   unsigned rounds = 0;
-  bool written = true;  ///< false: rounding failed and was not accepted
-  std::vector<std::string> notes;
+  std::vector<std::string> refusals;  ///< outputs that were not written: rounding failed and was not accepted
+  std::vector<std::string> notes;     ///< what else is to be known about the files
 };
 
 /// Writes the boundary to every output: meshes by their ending, .html as a page of the view, .qsolid exactly.
-/// Certified, unless options.accept_rounding. @throws FileError, InputError (unknown ending; an unbounded solid as a
-/// mesh)
+/// Certified, unless options.accept_rounding. @throws FileError; InputError for an unbounded solid as a mesh
 OutputReport write_outputs(const Brep& boundary, const std::string& title, const Options& options,
                            const Context& context);
 

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <chrono>
+#include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <iostream>
-#include <iterator>
+#include <sstream>
 
-#include "quoin/base/error.h"
 #include "quoin/cli/commands.h"
 #include "quoin/cli/coordinates.h"
+#include "quoin/cli/failure.h"
 #include "quoin/cli/inputs.h"
+#include "quoin/cli/reporting.h"
+#include "quoin/cli/streams.h"
 #include "quoin/cli/summary.h"
+#include "quoin/cli/targets.h"
 #include "quoin/io/svg.h"
 #include "quoin/solid/measure.h"
 #include "quoin/solid/query/interference.h"
@@ -73,40 +75,61 @@ Json describe(const Location& location, const Brep& b) {
   return json;
 }
 
-std::vector<std::string> point_texts(const Options& options) {
-  std::vector<std::string> texts = options.points;
-  if (options.points_file.empty()) return texts;
-  std::ifstream file;
-  if (options.points_file != "-") {
-    file.open(options.points_file);
-    if (!file) throw FileError(options.points_file + ": cannot be opened");
-  }
-  std::istream& in = options.points_file == "-" ? std::cin : file;
+// A query as it was given, and its numbers.
+struct Query {
+  std::string text;
+  std::vector<Rational> numbers;
+};
+
+std::vector<Query> point_queries(const Options& options) {
+  std::vector<Query> queries;
+  for (const std::string& text : options.points) queries.push_back({text, parse_argument(text, 3, "--point")});
+  if (options.points_file.empty()) return queries;
+  std::istringstream in(read_all(options.points_file));
+  std::size_t number = 0;
   for (std::string line; std::getline(in, line);) {
-    if (line.find_first_not_of(" \t\r") != std::string::npos && line[0] != '#') texts.push_back(line);
+    ++number;
+    if (line.ends_with('\r')) line.pop_back();
+    if (line.find_first_not_of(" \t") == std::string::npos || line[0] == '#') continue;
+    std::vector<Rational> numbers =
+        parse_coordinates(line, 3, shown(options.points_file) + ":" + std::to_string(number));
+    queries.push_back({line, std::move(numbers)});
   }
-  if (in.bad()) throw FileError(options.points_file + ": cannot be read");
-  return texts;
+  return queries;
 }
 
-Json classify_points(const PointLocator& locator, const Options& options, const Context& context) {
+std::vector<Query> line_queries(const Options& options) {
+  std::vector<Query> queries;
+  for (const std::string& text : options.lines) queries.push_back({text, parse_argument(text, 6, "--line", 3)});
+  return queries;
+}
+
+Json classify_points(const PointLocator& locator, const std::vector<Query>& queries, std::string& report,
+                     const Context& context) {
   Json all = Json::array();
-  for (const std::string& text : point_texts(options)) {
+  for (const Query& query : queries) {
     context.poll();
-    const RationalPoint3 point = point_of(parse_coordinates(text, 3, "point"));
+    const RationalPoint3 point = point_of(query.numbers);
     Json one;
     one["point"] = rounded(point);
     one.update(describe(locator.locate(point), locator.boundary()));
-    if (!options.json) std::cout << text << ": " << one["place"].get<std::string>() << "\n";
+    report += query.text + ": " + one["place"].get<std::string>() + "\n";
     all.push_back(std::move(one));
   }
   return all;
 }
 
-Json classify_lines(const PointLocator& locator, const Options& options, const Context& context) {
+std::string text_of(double number) {
+  std::ostringstream out;
+  out << number;
+  return out.str();
+}
+
+Json classify_lines(const PointLocator& locator, const std::vector<Query>& queries, std::string& report,
+                    const Context& context) {
   Json all = Json::array();
-  for (const std::string& text : options.lines) {
-    const std::vector<Rational> numbers = parse_coordinates(text, 6, "line");
+  for (const Query& query : queries) {
+    const std::vector<Rational>& numbers = query.numbers;
     const LineClassification cut = classify_line(locator, {point_of(numbers), point_of(numbers, 3)}, context);
     Json events = Json::array();
     for (const LineEvent& e : cut.events) {
@@ -119,15 +142,13 @@ Json classify_lines(const PointLocator& locator, const Options& options, const C
     }
     Json pieces = Json::array();
     for (const Location& piece : cut.pieces) pieces.push_back(name_of(piece.place));
-    if (!options.json) {
-      std::cout << text << ": " << name_of(cut.pieces[0].place);
-      for (std::size_t i = 0; i < cut.events.size(); ++i) {
-        std::cout << " | t = " << cut.events[i].parameter.to_double() << " " << name_of(cut.events[i].location.place)
-                  << " | " << name_of(cut.pieces[i + 1].place);
-      }
-      std::cout << "\n";
+    report += query.text + ": " + name_of(cut.pieces[0].place);
+    for (std::size_t i = 0; i < cut.events.size(); ++i) {
+      report += " | t = " + text_of(cut.events[i].parameter.to_double()) + " " + name_of(cut.events[i].location.place) +
+                " | " + name_of(cut.pieces[i + 1].place);
     }
-    all.push_back({{"line", text}, {"events", std::move(events)}, {"pieces", std::move(pieces)}});
+    report += "\n";
+    all.push_back({{"line", query.text}, {"events", std::move(events)}, {"pieces", std::move(pieces)}});
   }
   return all;
 }
@@ -153,77 +174,88 @@ Json describe(const Section& s, double area) {
   return json;
 }
 
-void draw(const std::string& name, const Section& s, const SectionPlane& plane, Json& json) {
-  SvgReport report;
-  if (name == "-") {
-    report = write_svg(std::cout, s, plane);
-  } else {
-    if (!name.ends_with(".svg")) throw InputError(name + ": sections are written as .svg");
-    std::ofstream file(name);
-    if (!file) throw FileError(name + ": cannot be opened for writing");
-    report = write_svg(file, s, plane);
-    if (!file.flush()) throw FileError(name + ": cannot be written");
+// What a section is, in a few numbers.
+Json summarize(const Section& s, double area) {
+  return {{"area", area}, {"loops", s.loops.size()}, {"corners", s.points.size()}, {"unbounded", s.is_unbounded}};
+}
+
+// Returns how far the drawing is from the section.
+double draw(const Target& target, const Section& s, const SectionPlane& plane) {
+  if (target.is_stream()) {
+    const SvgReport report = write_svg(data_stream(), s, plane);
+    flush_standard_output();
+    return report.largest_rounding;
   }
-  json["max_displacement"] = report.largest_rounding;
+  std::ofstream file(target.name);
+  if (!file) throw FileError(target.name + ": cannot be opened for writing");
+  const SvgReport report = write_svg(file, s, plane);
+  if (!file.flush()) throw FileError(target.name + ": cannot be written");
+  return report.largest_rounding;
+}
+
+// Prints the report of a query: its JSON or its text.
+void print_answer(Json json, const std::string& text, const std::vector<std::string>& warnings,
+                  const Options& options) {
+  if (options.json) {
+    json["warnings"] = warnings;
+    print_json(json, options);
+    return;
+  }
+  if (!options.quiet) report_stream(options) << text;
+  print_warnings(warnings, options);
 }
 
 }  // namespace
 
 int run_classify(const Options& options, const Context& context) {
   if (options.points.empty() && options.points_file.empty() && options.lines.empty())
-    throw InputError("classify needs --point, --points or --line");
+    throw UsageError("classify needs --point, --points or --line");
+  const std::vector<Query> lines = line_queries(options);
+  const std::vector<Query> points = point_queries(options);
   std::vector<std::string> warnings;
   const std::shared_ptr<const Brep> boundary = load_boundary(options.inputs[0], options, warnings, context);
   const PointLocator locator(*boundary, context);
+  std::string report;
   Json json;
   json["file"] = options.inputs[0];
-  json["points"] = classify_points(locator, options, context);
-  json["lines"] = classify_lines(locator, options, context);
-  json["warnings"] = warnings;
-  if (options.json) std::cout << json.dump(2) << "\n";
-  if (!options.json) print_warnings(warnings, options);
+  json["points"] = classify_points(locator, points, report, context);
+  json["lines"] = classify_lines(locator, lines, report, context);
+  print_answer(std::move(json), report, warnings, options);
   return 0;
 }
 
 int run_section(const Options& options, const Context& context) {
-  const auto start = std::chrono::steady_clock::now();
-  const std::vector<Rational> numbers = parse_coordinates(options.plane, 4, "--plane");
+  const Clock::time_point start = Clock::now();
+  const std::vector<Rational> numbers = parse_argument(options.plane, 4, "--plane", 0);
   const SectionPlane plane{point_of(numbers), numbers[3]};
   std::vector<std::string> warnings;
   const std::shared_ptr<const Brep> boundary = load_boundary(options.inputs[0], options, warnings, context);
   const Section found = section(*boundary, plane, context);
   const RationalPoint3 v = area_vector(found);
   const double area = std::hypot(v.x.to_double(), v.y.to_double(), v.z.to_double());
+  double displacement = 0;
+  for (const Target& target : targets_of(options)) displacement = std::max(displacement, draw(target, found, plane));
   Json json;
   json["file"] = options.inputs[0];
   json["plane"] = options.plane;
   json.update(describe(found, area));
   json["outputs"] = options.outputs;
-  bool uses_stdout = false;
-  for (const std::string& output : options.outputs) {
-    uses_stdout = uses_stdout || output == "-";
-    draw(output, found, plane, json);
-  }
-  json["seconds"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  json["rounding"] = displacement == 0 ? "exact" : "accepted";
+  json["max_displacement"] = displacement;
+  json["seconds"] = seconds_since(start);
   json["threads"] = context.threads();
-  json["warnings"] = warnings;
-  std::ostream& out = uses_stdout ? std::cerr : std::cout;
-  if (options.json) {
-    out << json.dump(2) << "\n";
-  } else if (!options.quiet) {
-    out << as_text({{"area", area}, {"loops", found.loops.size()}, {"corners", found.points.size()}});
-    print_warnings(warnings, options);
-  }
+  json["result"] = summarize(found, area);
+  const std::string text = as_text({{"area", area}, {"loops", found.loops.size()}, {"corners", found.points.size()}});
+  print_answer(std::move(json), text, warnings, options);
   return 0;
 }
 
 int run_interfere(const Options& options, const Context& context) {
   std::vector<std::string> warnings;
   std::vector<Solid> solids;
-  for (const std::string& name : options.inputs) {
-    const Solid operand = load_operand(name, options, warnings, context);
+  for (const Solid& operand : load_operands(options.inputs, options, warnings, context))
     solids.push_back(Solid::evaluate(Expression::leaf(0), {&operand, 1}, context));
-  }
+  std::string text;
   Json pairs = Json::array();
   for (std::size_t i = 0; i < solids.size(); ++i) {
     for (std::size_t j = i + 1; j < solids.size(); ++j) {
@@ -233,16 +265,11 @@ int run_interfere(const Options& options, const Context& context) {
       pair["b"] = options.inputs[j];
       pair["interference"] = name_of(report.kind);
       pair["common_volume"] = rounded_volume(report.common.boundary(), context);
-      if (!options.json)
-        std::cout << options.inputs[i] << " " << options.inputs[j] << ": " << name_of(report.kind) << "\n";
+      text += options.inputs[i] + " " + options.inputs[j] + ": " + name_of(report.kind) + "\n";
       pairs.push_back(std::move(pair));
     }
   }
-  if (options.json) {
-    std::cout << Json{{"pairs", std::move(pairs)}, {"warnings", warnings}}.dump(2) << "\n";
-  } else {
-    print_warnings(warnings, options);
-  }
+  print_answer({{"pairs", std::move(pairs)}}, text, warnings, options);
   return 0;
 }
 

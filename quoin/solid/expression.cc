@@ -91,4 +91,16 @@ Expression Expression::substitute(std::span<const Expression> replacement) const
   return result;
 }
 
+std::uint32_t ExpressionBuilder::leaf(std::uint32_t index) {
+  result_.nodes_.push_back({Expression::Kind::leaf, index, 0, 0});
+  return static_cast<std::uint32_t>(result_.nodes_.size() - 1);
+}
+
+std::uint32_t ExpressionBuilder::combine(Expression::Kind kind, std::span<const std::uint32_t> children) {
+  const auto first = static_cast<std::uint32_t>(result_.children_.size());
+  result_.children_.insert(result_.children_.end(), children.begin(), children.end());
+  result_.nodes_.push_back({kind, 0, first, static_cast<std::uint32_t>(children.size())});
+  return static_cast<std::uint32_t>(result_.nodes_.size() - 1);
+}
+
 }  // namespace quoin

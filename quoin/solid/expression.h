@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace quoin {
@@ -44,9 +45,24 @@ class Expression {
   Expression substitute(std::span<const Expression> replacement) const;
 
  private:
+  friend class ExpressionBuilder;
   static Expression combine(Kind kind, std::span<const Expression> operands);
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> children_;
+};
+
+/// Makes an expression from the leaves up, in time linear in its size.
+class ExpressionBuilder {
+ public:
+  /// A node that names leaf `index`; its number.
+  std::uint32_t leaf(std::uint32_t index);
+  /// A node over others, none of them a child already; its number. One child for Kind::complement.
+  std::uint32_t combine(Expression::Kind kind, std::span<const std::uint32_t> children);
+  /// The expression whose root is the node made last.
+  Expression take() { return std::move(result_); }
+
+ private:
+  Expression result_;
 };
 
 }  // namespace quoin

@@ -4,13 +4,17 @@ _quoin() {
   local word="${COMP_WORDS[COMP_CWORD]}" previous="${COMP_WORDS[COMP_CWORD - 1]}"
   local commands="union intersection difference xor csg info check repair convert view classify section interfere"
   local common="--json --threads --timeout --seed --weld -q --quiet -v --verbose -h --help"
-  local makes="-o --output --accept-rounding"
+  local makes="-o --output --format --accept-rounding"
   COMPREPLY=()
   if [[ $COMP_CWORD -eq 1 ]]; then
     mapfile -t COMPREPLY < <(compgen -W "$commands --help --version" -- "$word")
     return
   fi
   case "$previous" in
+    --format)
+      mapfile -t COMPREPLY < <(compgen -W "off obj stl ply qsolid html" -- "$word")
+      return
+      ;;
     --threads | --timeout | --seed | --weld | --point | --line | --plane) return ;;
   esac
   if [[ $word == -* ]]; then

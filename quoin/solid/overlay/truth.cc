@@ -60,11 +60,22 @@ void ExpressionState::set(std::uint32_t node, bool value) {
   }
 }
 
+void ExpressionState::evaluate_all() {
+  std::fill(true_count_.begin(), true_count_.end(), 0);
+  for (std::uint32_t n = 0; n < true_.size(); ++n) {
+    true_[n] = evaluate(n) ? 1 : 0;
+    if (parent_[n] != none) true_count_[parent_[n]] += true_[n];
+  }
+}
+
 void ExpressionState::wind(std::uint32_t leaf, int change) {
   const bool before = winding_[leaf] > 0;
   winding_[leaf] += change;
   const bool after = winding_[leaf] > 0;
   if (before == after) return;
+  constexpr std::uint32_t share_of_many = 16;  // a path to the root may be as long as there are nodes
+  const std::uint32_t uses = first_use_[leaf + 1] - first_use_[leaf];
+  if (uses > 1 && uses >= true_.size() / share_of_many) return evaluate_all();
   for (std::uint32_t u = first_use_[leaf]; u < first_use_[leaf + 1]; ++u) set(uses_[u], after);
 }
 

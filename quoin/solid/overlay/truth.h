@@ -10,7 +10,8 @@
 
 namespace quoin::overlay {
 
-/// An expression that follows changes of single leaves: each costs the nodes whose truth changes, not the whole tree.
+/// An expression that follows changes of single leaves: each costs the nodes whose truth changes, not the whole tree,
+/// and no more than the whole tree where a leaf is used in a large part of it.
 class ExpressionState {
  public:
   /// All leaves outside.
@@ -21,6 +22,7 @@ class ExpressionState {
 
  private:
   bool evaluate(std::uint32_t node) const;
+  void evaluate_all();
   void set(std::uint32_t node, bool value);
 
   const Expression* expression_;

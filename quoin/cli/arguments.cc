@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quoin/cli/arguments.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "quoin/cli/failure.h"
+
+namespace quoin::cli {
+
+namespace {
+
+// Every occurrence of such an option takes one value, so that operands may follow it.
+CLI::Option* add_repeatable(CLI::App& command, const std::string& names, std::vector<std::string>& values,
+                            const std::string& text) {
+  return command.add_option(names, values, text)->allow_extra_args(false);
+}
+
+CLI::Validator finite_number(bool zero_too) {
+  return CLI::Validator(
+      [zero_too](const std::string& text) -> std::string {
+        double value = 0;
+        const bool is_number = CLI::detail::lexical_cast(text, value) && std::isfinite(value);
+        if (is_number && (value > 0 || (zero_too && value == 0))) return {};
+        return "'" + text + "' is not a finite number " + (zero_too ? "from zero up" : "above zero");
+      },
+      "NUMBER");
+}
+
+CLI::Validator whole_number() {
+  return CLI::Validator(
+      [](const std::string& text) -> std::string {
+        const bool is_number = !text.empty() && std::all_of(text.begin(), text.end(),
+                                                            [](unsigned char c) { return std::isdigit(c) != 0; });
+        return is_number ? std::string() : "'" + text + "' is not a whole number";
+      },
+      "WHOLE");
+}
+
+void add_makers_options(CLI::App& command, Options& options) {
+  add_repeatable(command, "-o,--output", options.outputs,
+                 "file to write, format by its ending: off obj stl ply (rounded, certified), html (a page to look at), "
+                 "qsolid (exact); '-' for standard output; may be repeated");
+  command.add_option("--format", options.format, "format of standard output: an ending without its dot (default: off)");
+  command.add_flag("--accept-rounding", options.accept_rounding, "write a mesh even where rounding makes faces cross");
+}
+
+void add_common(CLI::App& command, Options& options) {
+  command.add_flag("--json", options.json, "report as JSON, errors too");
+  command.add_option("--threads", options.threads, "threads to use (default: all)")->check(whole_number());
+  command.add_option("--timeout", options.timeout, "give up after this many seconds")->check(finite_number(false));
+  command.add_option("--seed", options.seed, "for algorithms that draw random numbers")->check(whole_number());
+  command.add_option("--weld", options.weld_tolerance, "weld vertices within this distance (default: equal ones only)")
+      ->check(finite_number(true));
+  command.add_flag("-q,--quiet", options.quiet, "no report, no warnings");
+  command.add_flag("-v,--verbose", options.verbose, "the whole summary, and stages as they begin");
+}
+
+CLI::App* add_command(CLI::App& app, Options& options, const char* name, const char* text) {
+  CLI::App* command = app.add_subcommand(name, text);
+  add_common(*command, options);
+  command->callback([&options, name] { options.command = name; });
+  return command;
+}
+
+CLI::App* add_maker(CLI::App& app, Options& options, const char* name, const char* text) {
+  CLI::App* command = add_command(app, options, name, text);
+  add_makers_options(*command, options);
+  return command;
+}
+
+void add_one_file(CLI::App& command, Options& options) {
+  command.add_option("file", options.inputs, "a mesh or .qsolid; '-' for standard input")->required()->expected(1);
+}
+
+void add_files(CLI::App& command, Options& options) {
+  command.add_option("files", options.inputs, "meshes or .qsolid; '-' for standard input")->required();
+}
+
+void add_booleans(CLI::App& app, Options& options) {
+  for (const auto& [name, text] : {std::pair{"union", "the points in any of the solids"},
+                                   {"intersection", "the points in all of the solids"},
+                                   {"difference", "the points of the first solid in none of the others"},
+                                   {"xor", "the points in an odd number of the solids"}}) {
+    add_files(*add_maker(app, options, name, text), options);
+  }
+  CLI::App* csg =
+      add_maker(app, options, "csg", "any expression: quoin csg 'a - (b | c)' a=x.stl b=y.off c=z.ply -o result.stl");
+  csg->add_option("expression", options.expression, "| union, - difference, & intersection, ^ xor, ! complement, ( )")
+      ->required();
+  csg->add_option("operands", options.inputs, "NAME=FILE for each name")->required();
+}
+
+void add_queries(CLI::App& app, Options& options) {
+  CLI::App* classify =
+      add_command(app, options, "classify", "where points and lines lie: in, out, on a face, edge or vertex");
+  add_one_file(*classify, options);
+  add_repeatable(*classify, "--point", options.points, "x,y,z (may be repeated)");
+  classify->add_option("--points", options.points_file, "file with a point per line; '-' for standard input");
+  add_repeatable(*classify, "--line", options.lines,
+                 "x,y,z,dx,dy,dz: a point of it and its direction (may be repeated)");
+  CLI::App* section = add_command(app, options, "section", "what a plane cuts out of a solid, exactly");
+  add_one_file(*section, options);
+  section
+      ->add_option("--plane", options.plane,
+                   "a,b,c,d: the points with a x + b y + c z = d; seen from where (a,b,c) points")
+      ->required();
+  add_repeatable(*section, "-o,--output", options.outputs,
+                 "SVG drawing to write; '-' for standard output; may be repeated");
+  CLI::App* interfere =
+      add_command(app, options, "interfere", "whether solids overlap, touch or stay apart, pair by pair");
+  interfere->add_option("files", options.inputs, "two or more meshes or .qsolid")->required()->expected(2, 1 << 20);
+}
+
+void add_commands(CLI::App& app, Options& options) {
+  add_booleans(app, options);
+  add_files(*add_command(app, options, "info", "what a solid is: volume, area, counts, bounds, centroid"), options);
+  add_files(*add_command(app, options, "check", "whether files bound valid solids, and what is wrong if not"), options);
+  add_one_file(*add_maker(app, options, "repair", "orientation, duplicate and degenerate faces, self-crossings"),
+               options);
+  add_one_file(*add_maker(app, options, "convert", "one format to another, faces merged where coplanar"), options);
+  add_one_file(*add_maker(app, options, "view", "a page to look at a solid in the browser"), options);
+  add_queries(app, options);
+}
+
+}  // namespace
+
+std::optional<int> parse_arguments(int argc, char** argv, Options& options) {
+  CLI::App app(
+      "Quoin: exact Booleans of solids.\n\nExit codes: 0 done, 1 refused with a reason, 2 usage, 3 file trouble, 4 "
+      "cancelled or out of time.");
+  app.name("quoin");
+  app.set_version_flag("--version", "quoin " QUOIN_VERSION);
+  app.require_subcommand(1);
+  add_commands(app, options);
+  try {
+    app.parse(argc, argv);
+    return std::nullopt;
+  } catch (const CLI::ParseError& error) {
+    const bool wants_json =
+        std::any_of(argv + 1, argv + argc, [](const char* word) { return std::string_view(word) == "--json"; });
+    if (error.get_exit_code() == 0) return app.exit(error);
+    if (wants_json) std::cout << as_json(Failure{error.what(), exit_usage}).dump(2) << "\n";
+    app.exit(error);
+    return exit_usage;
+  }
+}
+
+}  // namespace quoin::cli

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quoin/cli/failure.h"
+
+#include <exception>
+#include <new>
+
+#include "quoin/cli/streams.h"
+
+namespace quoin::cli {
+
+Failure current_failure() {
+  try {
+    throw;
+  } catch (const UsageError& error) {
+    return {error.what(), exit_usage};
+  } catch (const Cancelled& error) {
+    return {error.what(), exit_cancelled};
+  } catch (const FileError& error) {
+    return {error.what(), exit_file};
+  } catch (const std::bad_alloc&) {
+    return {"out of memory", exit_refused};
+  } catch (const std::exception& error) {
+    return {error.what(), exit_refused};
+  }
+}
+
+nlohmann::ordered_json as_json(const Failure& failure) {
+  return {{"error", failure.message}, {"exit_code", failure.exit_code}};
+}
+
+void print_failure(const Failure& failure, const Options& options) {
+  if (options.json) print_json(as_json(failure), options);
+  if (!options.json || !data_goes_to_standard_output(options)) note_stream() << "quoin: " << failure.message << "\n";
+}
+
+}  // namespace quoin::cli

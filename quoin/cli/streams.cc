@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quoin/cli/streams.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <iostream>
+
+#include "quoin/base/error.h"
+
+namespace quoin::cli {
+
+namespace {
+
+bool progress_is_shown = false;  // the last line of the terminal is one of progress
+
+void erase_progress() {
+  if (!progress_is_shown) return;
+  std::cerr << "\r\x1b[K" << std::flush;
+  progress_is_shown = false;
+}
+
+std::string described(std::string_view stage, double done) {
+  std::string text = "quoin: " + std::string(stage);
+  if (done > 0) text += " " + std::to_string(std::lround(100 * std::min(done, 1.0))) + " %";
+  return text;
+}
+
+void print_on_terminal(std::string_view stage, double done) {
+  static std::string shown;
+  const std::string text = described(stage, done);
+  if (progress_is_shown && text == shown) return;
+  std::cerr << "\r" << text << "\x1b[K" << std::flush;
+  shown = text;
+  progress_is_shown = true;
+}
+
+void print_as_lines(std::string_view stage, double) {
+  static std::string shown;
+  if (stage == shown) return;
+  shown = stage;
+  std::cerr << "quoin: " << stage << std::endl;
+}
+
+}  // namespace
+
+bool data_goes_to_standard_output(const Options& options) {
+  return std::find(options.outputs.begin(), options.outputs.end(), standard_stream) != options.outputs.end();
+}
+
+std::ostream& data_stream() {
+  erase_progress();
+  return std::cout;
+}
+
+std::ostream& report_stream(const Options& options) {
+  erase_progress();
+  return data_goes_to_standard_output(options) ? std::cerr : std::cout;
+}
+
+std::ostream& note_stream() {
+  erase_progress();
+  return std::cerr;
+}
+
+void print_json(const nlohmann::ordered_json& json, const Options& options) {
+  using Handler = nlohmann::ordered_json::error_handler_t;
+  report_stream(options) << json.dump(2, ' ', false, Handler::replace) << "\n";  // names of files may be any bytes
+}
+
+void flush_standard_output() {
+  errno = 0;
+  if (std::cout.flush()) return;
+  throw FileError(std::string("standard output: writing failed") +
+                  (errno != 0 ? std::string(": ") + std::strerror(errno) : ""));
+}
+
+std::function<void(std::string_view stage, double done)> progress_printer(const Options& options) {
+  if (options.quiet) return {};
+  if (isatty(STDERR_FILENO) != 0) return &print_on_terminal;
+  if (options.verbose) return &print_as_lines;
+  return {};
+}
+
+}  // namespace quoin::cli

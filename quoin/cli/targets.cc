@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quoin/cli/targets.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <unordered_set>
+
+#include "quoin/cli/failure.h"
+#include "quoin/cli/inputs.h"
+#include "quoin/view/page.h"
+
+namespace quoin::cli {
+
+namespace {
+
+Target solid_target(const std::string& name, const std::string& ending) {
+  if (ending == ".html" || ending == ".htm") return {name, Target::Kind::page};
+  if (ending == ".qsolid") return {name, Target::Kind::exact};
+  const auto format = format_from_path("x" + ending);
+  if (!format) {
+    throw UsageError((name == standard_stream ? "--format '" + ending.substr(1) + "'" : name + ": the ending") +
+                     " tells no format that is written (off, obj, stl, ply, html, qsolid)");
+  }
+  return {name, Target::Kind::mesh, *format};
+}
+
+Target drawing_target(const std::string& name) {
+  if (name != standard_stream && ending_of(name) != ".svg")
+    throw UsageError(name + ": sections are written as .svg; for a page or a mesh, cut the solid with a Boolean");
+  return {name, Target::Kind::drawing};
+}
+
+Target target_of(const std::string& name, const Options& options) {
+  if (options.command == "section") return drawing_target(name);
+  if (name != standard_stream) return solid_target(name, ending_of(name));
+  return solid_target(name, in_small_letters("." + (options.format.empty() ? "off" : options.format)));
+}
+
+}  // namespace
+
+std::vector<Target> targets_of(const Options& options) {
+  std::vector<Target> targets;
+  for (const std::string& name : options.outputs) targets.push_back(target_of(name, options));
+  return targets;
+}
+
+void require_known_targets(const Options& options) {
+  const std::vector<Target> targets = targets_of(options);
+  if (!options.format.empty() && std::none_of(targets.begin(), targets.end(), std::mem_fn(&Target::is_stream)))
+    throw UsageError("--format is that of standard output: it goes with '-o -'");
+  for (const Target& target : targets) {
+    if (target.kind == Target::Kind::page && !has_view())
+      throw InputError(target.name + ": the view was not built into this quoin, so that it writes no pages");
+  }
+}
+
+void require_single_use_of_streams(const Options& options) {
+  std::size_t readers = options.points_file == standard_stream ? 1 : 0;
+  for (const std::string& input : options.inputs) {
+    const bool is_named = options.command == "csg" && input.find('=') != std::string::npos;
+    readers += (is_named ? input.substr(input.find('=') + 1) : input) == standard_stream ? 1 : 0;
+  }
+  if (readers > 1) throw UsageError("standard input ('-') is named twice, and can be read only once");
+  if (std::count(options.outputs.begin(), options.outputs.end(), standard_stream) > 1)
+    throw UsageError("standard output ('-') is named twice, and can hold only one file");
+}
+
+std::vector<NamedInput> named_inputs(const Options& options) {
+  std::vector<NamedInput> inputs;
+  std::unordered_set<std::string> names;
+  for (const std::string& input : options.inputs) {
+    const std::size_t equals = input.find('=');
+    if (equals == std::string::npos || equals == 0 || equals + 1 == input.size())
+      throw UsageError("'" + input + "': operands of csg are given as NAME=FILE");
+    inputs.push_back({input.substr(0, equals), input.substr(equals + 1)});
+    if (!names.insert(inputs.back().name).second) throw UsageError("'" + inputs.back().name + "=' is given twice");
+  }
+  return inputs;
+}
+
+}  // namespace quoin::cli

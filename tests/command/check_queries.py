@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Commands that answer: info, check, classify, section, interfere.
+
+    check_queries.py QUOIN
+"""
+import json
+
+from command import DONE, FILE_TROUBLE, REFUSED, USAGE, CommandTest, box, main
+
+INFO = ("file vertices edges faces triangles shells voids components closed manifold nonmanifold_edges "
+        "nonmanifold_vertices unbounded volume area bounds inputs centroid warnings")
+
+
+class Info(CommandTest):
+    def test_a_cube(self):
+        info = self.info("a.off")
+        self.assert_keys(info, INFO + " exact_volume")
+        expected = {"file": "a.off", "vertices": 8, "edges": 12, "faces": 6, "triangles": 12, "shells": 1, "voids": 0,
+                    "components": 1, "closed": True, "manifold": True, "unbounded": False, "volume": 8,
+                    "exact_volume": "8", "area": 24, "bounds": [[0, 0, 0], [2, 2, 2]], "centroid": [1, 1, 1]}
+        self.assertEqual({k: info[k] for k in expected}, expected)
+        self.assertRegex(self.run_quoin("info", "a.off").stdout, r"centroid +\[1.0,1.0,1.0\]")
+
+    def test_an_open_mesh_has_a_summary_and_is_refused(self):
+        info = self.json_of("info", "open.off", code=REFUSED)
+        self.assert_keys(info, INFO + " error exit_code diagnosis")
+        expected = {"vertices": 8, "edges": 12, "faces": 5, "triangles": 10, "closed": False, "manifold": False,
+                    "volume": None, "area": 5, "bounds": [[0, 0, 0], [1, 1, 1]], "exit_code": REFUSED}
+        self.assertEqual({k: info[k] for k in expected}, expected)
+        self.assertEqual(info["diagnosis"]["open_edges"]["count"], 4)
+        done = self.run_quoin("info", "open.off", code=REFUSED)
+        self.assertRegex(done.stdout, r"closed +false")
+        self.assertIn("4 edges are open", done.stderr)
+
+    def test_one_bad_file_does_not_suppress_the_others(self):
+        names = ["a.off", "open.off", "missing.off", "rubbish.off", "b.off"]
+        for command in ("info", "check"):
+            report = self.json_of(command, *names, code=FILE_TROUBLE)
+            self.assertEqual([one["file"] for one in report], names)
+            self.assertEqual(["error" in one for one in report], [False, command == "info", True, True, False])
+            self.assertEqual(report[2]["exit_code"], FILE_TROUBLE)
+            self.assertEqual(report[3]["exit_code"], REFUSED)
+            done = self.run_quoin(command, *names, code=FILE_TROUBLE)
+            self.assertIn("b.off", done.stdout)
+            self.assertIn("missing.off", done.stderr)
+        self.assertEqual(len(self.json_of("info", "a.off", "open.off", code=REFUSED)), 2)
+
+    def test_an_overflowing_volume_is_null(self):
+        self.write("huge.off", box((0, 0, 0), (1e200, 1e200, 1e200)))
+        self.assertIsNone(self.info("huge.off")["volume"])
+
+
+class Check(CommandTest):
+    def test_verdicts(self):
+        good = self.json_of("check", "a.off")
+        self.assert_keys(good, "file valid findings diagnosis warnings")
+        self.assertEqual((good["valid"], good["findings"]), (True, []))
+        bad = self.json_of("check", "open.off", code=REFUSED)
+        self.assertEqual(bad["valid"], False)
+        self.assertTrue(bad["findings"])
+        self.assertIn("a.off: a valid solid", self.run_quoin("check", "a.off").stdout)
+
+    def test_exact_text(self):
+        self.run_quoin("union", "a.off", "b.off", "-o", "u.qsolid")
+        self.assertEqual(self.json_of("check", "u.qsolid")["valid"], True)
+        broken = self.read("u.qsolid").decode().replace("\n1 1 2\n", "\n1 1 3\n", 1)
+        self.assertNotEqual(broken, self.read("u.qsolid").decode())
+        self.write("broken.qsolid", broken)
+        self.assertEqual(self.json_of("check", "broken.qsolid", code=REFUSED)["valid"], False)
+
+
+class Classify(CommandTest):
+    def test_points(self):
+        report = self.json_of("classify", "--point", "1,1,1", "a.off", "--point", "0,1,1", "--point", "0,0,1", "--point",
+                              "0,0,0", "--point", "-1,0,0", "--point", "1/3,1/3,2")
+        self.assert_keys(report, "file points lines warnings")
+        self.assertEqual([p["place"] for p in report["points"]],
+                         ["in", "on face", "on edge", "on vertex", "out", "on face"])
+        self.assert_keys(report["points"][1], "point place face origin")
+        self.assertIn("edge", report["points"][2])
+        self.assertIn("vertex", report["points"][3])
+        self.assertEqual(self.run_quoin("classify", "a.off", "--point", "1,1,1").stdout, "1,1,1: in\n")
+
+    def test_lines(self):
+        line = self.json_of("classify", "--line", "-1,1,1,1,0,0", "--line", "5,5,5,1,0,0", "a.off")["lines"][0]
+        self.assertEqual(line["pieces"], ["out", "in", "out"])
+        self.assertEqual([e["parameter"] for e in line["events"]], [1, 3])
+        self.assert_keys(line["events"][0], "parameter exact_parameter point place face origin")
+
+    def test_points_of_a_file_and_of_a_stream(self):
+        self.write("points.txt", "# a comment\n1 1 1\n\n3,3,3\r\n")
+        from_file = self.run_quoin("classify", "a.off", "--points", "points.txt").stdout
+        self.assertEqual(from_file, "1 1 1: in\n3,3,3: out\n")
+        self.assertEqual(self.run_quoin("classify", "a.off", "--points", "-", stdin="1 1 1\n3,3,3\n").stdout, from_file)
+        self.write("points.txt", "1 1 1\n1 1\n")
+        self.assertIn("points.txt:2", self.run_quoin("classify", "a.off", "--points", "points.txt", code=REFUSED).stderr)
+        self.run_quoin("classify", "a.off", "--points", "missing.txt", code=FILE_TROUBLE)
+
+    def test_malformed_queries(self):
+        for words in ((), ("--point", "1,2"), ("--point", "1,2,x"), ("--point", "1,2,nan"), ("--point", "1,2,1/0"),
+                      ("--line", "1,2,3"), ("--line", "1,2,3,0,0,0")):
+            self.run_quoin("classify", "missing.off", *words, code=USAGE)
+
+
+class Section(CommandTest):
+    def test_report(self):
+        report = self.json_of("section", "--plane", "0,0,1,1", "-o", "cut.svg", "-o", "CUT.SVG", "a.off")
+        self.assert_keys(report, "file plane area unbounded loops exact_loops outputs rounding max_displacement seconds "
+                                 "threads result warnings")
+        self.assertEqual((report["area"], len(report["loops"][0]), report["outputs"]), (4, 4, ["cut.svg", "CUT.SVG"]))
+        self.assertEqual(report["result"], {"area": 4, "loops": 1, "corners": 4, "unbounded": False})
+        self.assertEqual(self.read("cut.svg"), self.read("CUT.SVG"))
+        self.assertIn(b"<path", self.read("cut.svg"))
+        self.assertEqual(self.json_of("section", "a.off", "--plane", "0,0,1,1")["rounding"], "exact")
+        self.assertIn(report["rounding"], ("exact", "accepted"))
+
+    def test_the_drawing_as_a_stream(self):
+        done = self.run_quoin("section", "a.off", "--plane", "0,0,1,1", "-o", "-", "--json")
+        self.assertTrue(done.stdout.startswith("<svg"))
+        self.assertEqual(json.loads(done.stderr)["area"], 4)
+
+    def test_refusals_come_before_reading(self):
+        for words in (("--plane", "0,0,1"), ("--plane", "0,0,0,1"), ("--plane", "a,b,c,d"), (),
+                      ("--plane", "0,0,1,1", "-o", "x.html"), ("--plane", "0,0,1,1", "-o", "x.off")):
+            self.run_quoin("section", "missing.off", *words, code=USAGE)
+
+
+class Interfere(CommandTest):
+    def test_pairs(self):
+        self.write("touch.off", box((2, 0, 0), (3, 1, 1)))
+        report = self.json_of("interfere", "a.off", "b.off", "far.off", "touch.off")
+        self.assert_keys(report, "pairs warnings")
+        found = {(p["a"], p["b"]): (p["interference"], p["common_volume"]) for p in report["pairs"]}
+        self.assertEqual(len(found), 6)
+        self.assertEqual(found["a.off", "b.off"], ("overlapping", 1))
+        self.assertEqual(found["a.off", "far.off"], ("apart", 0))
+        self.assertEqual(found["a.off", "touch.off"], ("touching", 0))
+        self.run_quoin("interfere", "a.off", code=USAGE)
+        self.assertEqual(self.run_quoin("interfere", "a.off", "b.off", code=DONE).stdout, "a.off b.off: overlapping\n")
+
+
+if __name__ == "__main__":
+    main()
