@@ -29,6 +29,7 @@ class CrossingFinder {
     check_vertices_on_edges();
     check_edges_against_edges();
     check_edges_against_faces();
+    check_slits();
     check_sides();
     check_shells();
     return std::move(violations_);
@@ -169,6 +170,17 @@ class CrossingFinder {
       // No vertex inside an edge and no crossing of edges: all of it is inside or nothing.
       if (is_inside((from.exact() + to.exact()) * Rational(0.5), face))
         say(name(e) + " runs inside " + name(face) + ", which it does not bound");
+    }
+  }
+
+  // An edge that a face passes in both directions has the face on both sides, or bounds nothing.
+  void check_slits() {
+    for (std::size_t i = 0; i + 1 < uses_.size(); ++i) {
+      if (uses_[i] != uses_[i + 1]) continue;
+      const auto& [edge, face] = uses_[i];
+      const PlacedPoint middle(b_.points, (b_.points.exact(edge.a) + b_.points.exact(edge.b)) * Rational(0.5));
+      if (!place_in_face(b_, face, middle, projection_axis(b_, face)).is_inside_when_moved)
+        say(name(edge) + " dangles from " + name(face));
     }
   }
 
