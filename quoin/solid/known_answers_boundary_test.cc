@@ -120,12 +120,20 @@ TEST(KnownAnswersBoundary, DanglingEdgesOfACycleAreRefused) {
     }
     return result;
   };
-  const Point3 outside{2 * a.x - (b.x + c.x) / 2, 2 * a.y - (b.y + c.y) / 2, 2 * a.z - (b.z + c.z) / 2};
-  const Brep dangling = with_cycles(outside, {{face[1], face[2], face[0], 4, face[0]}});
-  EXPECT_FALSE(check_boundary(dangling, 5, one_thread).empty());
-  const auto leaf = make_leaf(dangling, "a", {}, one_thread).leaf;  // the rest is the tetrahedron
-  ASSERT_NE(leaf, nullptr);
-  expect_same_set(Solid::from_leaf(leaf, one_thread), solid(mesh));
+  const auto beyond = [](const Point3& p, const Point3& q, const Point3& r) {
+    return Point3{2 * p.x - (q.x + r.x) / 2, 2 * p.y - (q.y + r.y) / 2, 2 * p.z - (q.z + r.z) / 2};
+  };
+  const Point3 outside = beyond(a, b, c);
+  for (std::size_t k = 0; k < 3; ++k) {  // at every corner: at one of them the loose end is the outermost vertex
+    const std::array<std::uint32_t, 3> v{face[k], face[(k + 1) % 3], face[(k + 2) % 3]};
+    const Point3 loose = beyond(mesh.vertices[v[0]], mesh.vertices[v[1]], mesh.vertices[v[2]]);
+    const Brep dangling = with_cycles(loose, {{v[1], v[2], v[0], 4, v[0]}});
+    const std::string edge = "edge " + std::to_string(v[0]) + "-4 dangles from face 0";
+    EXPECT_EQ(check_boundary(dangling, 5, one_thread), std::vector<std::string>{edge});
+    const auto leaf = make_leaf(dangling, "a", {}, one_thread).leaf;  // the rest is the tetrahedron
+    ASSERT_NE(leaf, nullptr);
+    expect_same_set(Solid::from_leaf(leaf, one_thread), solid(mesh));
+  }
   // (5): a vertex by itself outside of the area.
   EXPECT_FALSE(check_boundary(with_cycles(outside, {{face[0], face[1], face[2]}, {4}}), 5, one_thread).empty());
   // An edge by itself outside of the area, as the bridge of (6, 7, 8, 9, 10, 11, 9, 8).
