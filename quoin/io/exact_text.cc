@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "quoin/io/exact_text.h"
 
+#include <algorithm>
 #include <charconv>
 #include <fstream>
 #include <ostream>
@@ -51,20 +52,38 @@ class ExactReader {
   Brep run() {
     expect("quoin-solid", 2);
     if (lines_.words()[1] != "1") lines_.fail("this version of the format is not known");
-    expect("unbounded", 2);
-    brep_.is_unbounded = lines_.words()[1] == "yes";
+    brep_.is_unbounded = choice("unbounded", "no", "yes");
     read_names();
     read_shells();
     read_points();
     read_faces();
+    if (lines_.next()) lines_.fail("nothing should follow 'end'");
     return std::move(brep_);
   }
 
  private:
-  void expect(std::string_view keyword, std::size_t words) {
+  void expect_at_least(std::string_view keyword, std::size_t words) {
     lines_.need("'" + std::string(keyword) + "'");
-    if (lines_.words()[0] != keyword || lines_.words().size() < words)
-      lines_.fail("'" + std::string(keyword) + "' should stand here");
+    if (lines_.words()[0] != keyword) lines_.fail("'" + std::string(keyword) + "' should stand here");
+    if (lines_.words().size() < words) lines_.fail("the line is too short");
+  }
+
+  void expect(std::string_view keyword, std::size_t words) {
+    expect_at_least(keyword, words);
+    expect_size(words);
+  }
+
+  void expect_size(std::size_t words) const {
+    if (lines_.words().size() > words) lines_.fail(io::quoted(lines_.words()[words]) + " does not belong here");
+  }
+
+  // A line of the keyword and one of two words; whether it is the second.
+  bool choice(std::string_view keyword, std::string_view first, std::string_view second) {
+    expect(keyword, 2);
+    const std::string_view word = lines_.words()[1];
+    if (word != first && word != second)
+      lines_.fail(io::quoted(word) + " is neither '" + std::string(first) + "' nor '" + std::string(second) + "'");
+    return word == second;
   }
 
   std::size_t count(std::size_t word) const {
@@ -93,19 +112,27 @@ class ExactReader {
     expect("inputs", 2);
     const std::size_t names = count(1);
     for (std::size_t i = 0; i < names; ++i) {
-      expect("input", 1);
+      expect_at_least("input", 1);
+      expect_size(2);
       brep_.leaf_names.push_back(lines_.words().size() > 1 ? decoded(lines_.words()[1]) : "");
     }
   }
 
   void read_shells() {
     expect("components", 2);
-    brep_.component_count = static_cast<std::uint32_t>(count(1));
+    const std::size_t components = count(1);
+    const std::size_t line = lines_.line();
     expect("shells", 2);
     const std::size_t shells = count(1);
     for (std::size_t i = 0; i < shells; ++i) {
-      expect("shell", 2);
-      brep_.shells.push_back({lines_.words()[1] == "void"});
+      brep_.shells.push_back({choice("shell", "outer", "void")});
+    }
+    // Each piece of material has one outer shell; one that reaches infinity has none.
+    const auto outer = std::ranges::count(brep_.shells, false, &Shell::is_void);
+    brep_.component_count = static_cast<std::uint32_t>(outer) + (brep_.is_unbounded ? 1 : 0);
+    if (components != brep_.component_count) {
+      lines_.fail_at(line, std::to_string(components) + " components are declared, and the shells bound " +
+                               std::to_string(brep_.component_count));
     }
   }
 
@@ -122,13 +149,12 @@ class ExactReader {
   }
 
   void read_faces() {
-    expect("colors", 2);
-    const bool has_colors = lines_.words()[1] == "yes";
+    const bool has_colors = choice("colors", "no", "yes");
     expect("faces", 2);
     const std::size_t faces = count(1);
     const std::size_t points = brep_.points.point_count();
     for (std::size_t f = 0; f < faces; ++f) {
-      expect("face", 7);
+      expect_at_least("face", 7);
       brep_.face_shells.push_back(index(1, brep_.shells.size()));
       brep_.face_planes.push_back({PointId{index(2, points)}, PointId{index(3, points)}, PointId{index(4, points)}});
       const std::size_t loops = count(5);
@@ -138,12 +164,13 @@ class ExactReader {
         brep_.origins.push_back({index(7 + 2 * o, brep_.leaf_names.size()), index(8 + 2 * o, 0xFFFFFFFFU)});
       }
       brep_.face_first_origin.push_back(static_cast<std::uint32_t>(brep_.origins.size()));
+      expect_size(7 + 2 * origins + (has_colors ? 4 : 0));
       if (has_colors) {
         const auto channel = [&](std::size_t k) { return static_cast<std::uint8_t>(index(7 + 2 * origins + k, 256)); };
         brep_.face_colors.push_back({channel(0), channel(1), channel(2), channel(3)});
       }
       for (std::size_t l = 0; l < loops; ++l) {
-        expect("loop", 2);
+        expect_at_least("loop", 2);  // two vertices are an edge inside the face, one a vertex
         for (std::size_t i = 1; i < lines_.words().size(); ++i)
           brep_.loop_vertices.push_back(PointId{index(i, points)});
         brep_.loop_begin.push_back(static_cast<std::uint32_t>(brep_.loop_vertices.size()));

@@ -10,6 +10,7 @@
 
 #include "quoin/base/error.h"
 #include "quoin/io/readers.h"
+#include "quoin/io/text_lines.h"
 #include "quoin/io/weld.h"
 
 namespace quoin {
@@ -52,27 +53,24 @@ FileBytes read_bytes(const std::filesystem::path& path) {
   return bytes;
 }
 
-std::string_view first_word(std::string_view bytes) {
-  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
-  const std::size_t begin = std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size());
-  return bytes.substr(begin, bytes.find_first_of(" \t\r\n", begin) - begin);
-}
-
 MeshFile read_by_content(std::string_view bytes, const std::string& name, bool weld, const Context& context) {
   if (bytes.empty()) throw InputError(name + ": the file is empty");
   const std::string ending = ending_of(name);
-  const std::string_view word = first_word(bytes);
+  const std::string_view word = io::first_word(bytes);
   if (word == "ply") return io::read_ply(bytes, name, context);
-  if (io::is_stl_binary(bytes)) return io::read_stl_binary(bytes, name, weld, context);
+  if (io::fits_stl_binary(bytes)) return io::read_stl_binary(bytes, name, weld, context);
   if (word.ends_with("OFF") && word.size() <= 7) return io::read_off(bytes, name, context);
   if (ending == ".stl") {
-    return word == "solid" || word == "facet" ? io::read_stl_text(bytes, name, context)
-                                              : io::read_stl_binary(bytes, name, weld, context);
+    return io::is_stl_text(bytes) ? io::read_stl_text(bytes, name, context)
+                                  : io::read_stl_binary(bytes, name, weld, context);
   }
   if (ending == ".ply") throw InputError(name + ":1: 'ply' should stand here");
   if (ending == ".off") return io::read_off(bytes, name, context);
   if (ending == ".obj") return io::read_obj(bytes, name, context);
-  if (word == "solid") return io::read_stl_text(bytes, name, context);
+  if (io::is_word(word, "solid")) {
+    return io::is_stl_text(bytes) ? io::read_stl_text(bytes, name, context)
+                                  : io::read_stl_binary(bytes, name, weld, context);
+  }
   if (word == "v" || word == "#" || word == "o" || word == "g" || word == "mtllib")
     return io::read_obj(bytes, name, context);
   throw InputError(name + ": neither the content nor the ending tells a format that is read (OFF, OBJ, STL, PLY)");
@@ -111,6 +109,9 @@ MeshFile read_mesh(std::string_view bytes, const std::string& name, const ReadOp
     open.weld = false;  // done
   } else {
     file.report.vertices_in_file = file.mesh.vertices.size();
+  }
+  if (file.mesh.face_count() == 0) {
+    file.report.warnings.push_back("no faces; vertices in the file: " + std::to_string(file.report.vertices_in_file));
   }
   if (file.mesh.name.empty()) file.mesh.name = std::filesystem::path(name).stem().string();
   io::weld(file.mesh, open, file.report, context);

@@ -3,10 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <limits>
 #include <sstream>
+#include <utility>
 
 #include "quoin/base/error.h"
 #include "quoin/solid/shapes.h"
@@ -172,6 +176,103 @@ TEST(MeshFile, NegativeIndicesContinuationsAndForms) {
   ASSERT_EQ(file.mesh.face_count(), 1U);
   EXPECT_EQ(file.mesh.face(0)[2], 2U);
   ASSERT_EQ(file.report.warnings.size(), 1U);
+}
+
+constexpr const char* triangle_obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
+TEST(MeshFile, WhatIsNoStatementOfObjIsRefused) {
+  expect_refused("<!DOCTYPE html>\n<html><body>not found</body></html>\n", "a.obj", "a.obj:1: '<!DOCTYPE'");
+  expect_refused("some words\nthat are no mesh\n", "a.obj", "a.obj:1: 'some'");
+  expect_refused(std::string(triangle_obj) + "0.5 0.5 0.5\n", "a.obj", "a.obj:5: '0.5'");
+  expect_refused(std::string(triangle_obj) + "F 1 2 3\n", "a.obj", "a.obj:5: 'F'");
+  expect_refused(std::string(triangle_obj) + "\x01\x02\n", "a.obj", "a.obj:5: '?\?'");
+}
+
+TEST(MeshFile, OtherStatementsOfObjAreListed) {
+  std::string text = "mtllib a.mtl\no part\n" + std::string(triangle_obj);
+  const std::array ignored{"g side", "s off", "mg 0",  "usemtl steel", "vt 0 0", "vn 0 0 1",  "vp 0",
+                           "l 1 2",  "p 1",   "lod 3", "con 1",        "end",    "trim 0 1 1"};
+  for (const char* line : ignored) text += std::string(line) + "\n";
+  const MeshFile file = read_mesh(text, "a.obj", {}, context);
+  EXPECT_EQ(file.mesh.face_count(), 1U);
+  EXPECT_EQ(file.mesh.name, "part");
+  EXPECT_EQ(file.report.warnings.size(), ignored.size() + 1);
+  EXPECT_EQ(file.report.warnings.back(), "'vt' statements are not kept: 1");
+  for (const char* free_form : {"curv 0 1 1 2", "curv2 1 2", "surf 0 1 0 1 1", "cstype bezier", "parm u 0", "bmat u 1"})
+    expect_refused(text + free_form + "\n", "a.obj", "a.obj:20: free-form");
+}
+
+TEST(MeshFile, FilesWithoutFacesSaySo) {
+  const std::string ply = "element vertex 1\nproperty double x\nproperty double y\nproperty double z\nend_header\n";
+  const std::pair<std::string, const char*> files[] = {
+      {"OFF\n1 0 0\n0 0 0\n", "a.off"},
+      {"v 0 0 0\n", "a.obj"},
+      {"solid a\nendsolid a\n", "a.stl"},
+      {written(MeshFormat::stl_binary, Mesh{}), "a.stl"},
+      {"ply\nformat ascii 1.0\n" + ply + "0 0 0\n", "a.ply"},
+      {"ply\nformat binary_little_endian 1.0\n" + ply + std::string(24, '\0'), "a.ply"}};
+  for (const auto& [bytes, name] : files) {
+    const MeshFile file = read_mesh(bytes, name, {}, context);
+    SCOPED_TRACE(bytes.substr(0, 40));
+    ASSERT_EQ(file.report.warnings.size(), 1U);
+    EXPECT_TRUE(file.report.warnings[0].starts_with("no faces; ")) << file.report.warnings[0];
+  }
+}
+
+// Data behind the declared elements: one warning with its place, and the mesh of the file without them.
+TEST(MeshFile, TrailingDataIsReported) {
+  const Mesh box = shapes::cube();
+  const auto expect_warning = [&](MeshFormat format, const std::string& extra, const std::string& expected) {
+    const std::string bytes = written(format, box);
+    EXPECT_TRUE(read_mesh(bytes, name_of(format), {}, context).report.warnings.empty());
+    const MeshFile file = read_mesh(bytes + extra, name_of(format), {}, context);
+    EXPECT_EQ(file.mesh.corners, box.corners);
+    ASSERT_EQ(file.report.warnings.size(), 1U);
+    EXPECT_EQ(file.report.warnings[0].substr(0, expected.size()), expected);
+  };
+  const auto lines = [](const std::string& text) { return std::count(text.begin(), text.end(), '\n'); };
+  const std::string off_line = std::to_string(lines(written(MeshFormat::off, box)) + 2);
+  expect_warning(MeshFormat::off, "\n3 0 1 2\n", "line " + off_line + ": what follows");
+  const std::string ply_line = std::to_string(lines(written(MeshFormat::ply_text, box)) + 3);
+  expect_warning(MeshFormat::ply_text, " \n\r\n3 0 1 2\n", "line " + ply_line + ": what follows");
+  for (const MeshFormat format : {MeshFormat::ply_binary_little, MeshFormat::ply_binary_big}) {
+    const std::string byte = std::to_string(written(format, box).size());
+    expect_warning(format, std::string(1, '\0'), "byte " + byte + ": what follows");
+  }
+  EXPECT_TRUE(read_mesh(written(MeshFormat::off, box) + "\n# the end\n", "a.off", {}, context).report.warnings.empty());
+  EXPECT_TRUE(read_mesh(written(MeshFormat::ply_text, box) + " \n\n", "a.ply", {}, context).report.warnings.empty());
+}
+
+TEST(MeshFile, TextStlInAnyCase) {
+  std::string text = written(MeshFormat::stl_text, shapes::triangulated(shapes::cube()));
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::toupper(c); });
+  ASSERT_TRUE(text.starts_with("SOLID"));
+  for (const char* name : {"a.stl", "a.STL", "no ending"}) {
+    const MeshFile file = read_mesh(text, name, {}, context);
+    EXPECT_EQ(file.report.format, MeshFormat::stl_text);
+    EXPECT_EQ(file.mesh.face_count(), 12U);
+    EXPECT_EQ(file.mesh.vertices.size(), 8U);
+  }
+}
+
+// The header of a binary file may hold anything, also what a text begins with.
+TEST(MeshFile, BinaryStlWhoseHeaderBeginsLikeText) {
+  const std::string plain = written(MeshFormat::stl_binary, shapes::triangulated(shapes::cube()));
+  const MeshFile expected = read_mesh(plain, "a.stl", {}, context);
+  for (const std::string word : {"solid cube", "SOLID", "facet normal", "solid\nfacet"}) {
+    for (const char* name : {"a.stl", "no ending"}) {
+      if (name[0] == 'n' && !word.starts_with("solid") && !word.starts_with("SOLID")) continue;
+      std::string bytes = plain;
+      bytes.replace(0, 80, word + std::string(80 - word.size(), ' '));
+      EXPECT_TRUE(read_mesh(bytes, name, {}, context).report.warnings.empty());
+      const MeshFile file = read_mesh(bytes + std::string(2, '\0'), name, {}, context);
+      EXPECT_EQ(file.report.format, MeshFormat::stl_binary);
+      EXPECT_EQ(file.mesh.corners, expected.mesh.corners);
+      EXPECT_EQ(file.mesh.vertices, expected.mesh.vertices);
+      EXPECT_EQ(file.report.warnings, std::vector<std::string>{"2 bytes behind the last triangle are not kept"});
+      expect_refused(bytes.substr(0, 300), name, "byte 300: the file ends within triangle 4 of 12");
+    }
+  }
 }
 
 // Every prefix and every changed byte either reads or is refused.

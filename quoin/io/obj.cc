@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <iterator>
 #include <map>
 
 #include "quoin/io/readers.h"
@@ -7,6 +9,17 @@
 namespace quoin::io {
 
 namespace {
+
+// What the format knows beside v, f, fo and free-form geometry, with the statements of its older versions.
+bool is_known_statement(std::string_view keyword) {
+  static constexpr std::string_view known[] = {
+      "bevel", "bsp",      "bzp",       "c_interp", "call",   "cdc",    "cdp",  "con",        "csh",
+      "ctech", "d_interp", "deg",       "end",      "g",      "hole",   "l",    "lod",        "maplib",
+      "mg",    "mtllib",   "o",         "p",        "res",    "s",      "scrv", "shadow_obj", "sp",
+      "stech", "step",     "trace_obj", "trim",     "usemap", "usemtl", "vn",   "vp",         "vt"};
+  static_assert(std::is_sorted(std::begin(known), std::end(known)));
+  return std::binary_search(std::begin(known), std::end(known), keyword);
+}
 
 class ObjReader {
  public:
@@ -41,11 +54,8 @@ class ObjReader {
     for (const std::string_view free_form : {"curv", "curv2", "surf", "cstype", "parm", "bmat"}) {
       if (keyword == free_form) lines_.fail("free-form curves and surfaces are not read");
     }
-    for (const char c : keyword) {
-      if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) > 0x7E)
-        lines_.fail("this is not an OBJ file");
-    }
-    if (skipped_.size() < 40) ++skipped_[std::string(keyword.substr(0, 20))];
+    if (!is_known_statement(keyword)) lines_.fail(quoted(keyword) + " is no statement of an OBJ file");
+    ++skipped_[std::string(keyword)];
   }
 
   void read_vertex() {

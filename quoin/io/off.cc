@@ -23,6 +23,10 @@ class OffReader {
     for (std::size_t i = 0; i < vertex_count_; ++i) read_vertex(i);
     mesh.face_begin.reserve(face_count_ + 1);
     for (std::size_t f = 0; f < face_count_; ++f) read_face(f);
+    if (lines_.next()) {
+      file_.report.warnings.push_back("line " + std::to_string(lines_.line()) +
+                                      ": what follows the last face is not kept");
+    }
     if (!has_colors_) mesh.face_colors.clear();
     if (has_extra_) file_.report.warnings.push_back("what the vertex lines hold beyond x, y, z is not kept");
     if (has_color_indices_) file_.report.warnings.push_back("colours given as an index into a map are not kept");

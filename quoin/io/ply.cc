@@ -63,19 +63,31 @@ class Values {
 
   double next(Type type) { return format_ == MeshFormat::ply_text ? next_word() : next_binary(type); }
 
+  /// The line or byte of the next value, or nothing where none is left.
+  std::optional<std::string> place_of_next() {
+    if (format_ == MeshFormat::ply_text) skip_space();
+    if (remaining() == 0) return std::nullopt;
+    return format_ == MeshFormat::ply_text ? "line " + std::to_string(line_ + 1)
+                                           : "byte " + std::to_string(offset_ + position_);
+  }
+
   [[noreturn]] void fail(const std::string& what) const {
     if (format_ == MeshFormat::ply_text) throw InputError(name_ + ":" + std::to_string(line_ + 1) + ": " + what);
     throw InputError(name_ + ": byte " + std::to_string(offset_ + position_) + ": " + what);
   }
 
  private:
-  double next_word() {
+  void skip_space() {
     while (position_ < body_.size() && std::strchr(" \t\r\n\v\f", body_[position_]) != nullptr &&
            body_[position_] != '\0') {
       const bool pair = body_[position_] == '\r' && position_ + 1 < body_.size() && body_[position_ + 1] == '\n';
       if (body_[position_] == '\n' || (body_[position_] == '\r' && !pair)) ++line_;
       ++position_;
     }
+  }
+
+  double next_word() {
+    skip_space();
     const std::size_t end = std::min(body_.find_first_of(" \t\r\n\v\f", position_), body_.size());
     if (end == position_) fail("the file ends within its elements");
     const std::string_view word = body_.substr(position_, end - position_);
@@ -160,6 +172,8 @@ class PlyReader {
         skip(element, values);
       }
     }
+    if (const auto place = values.place_of_next())
+      file_.report.warnings.push_back(*place + ": what follows the last element is not kept");
     if (!has_colors_) file_.mesh.face_colors.clear();
     return std::move(file_);
   }

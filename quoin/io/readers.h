@@ -18,7 +18,10 @@ MeshFile read_stl_text(std::string_view bytes, const std::string& name, const Co
 MeshFile read_stl_binary(std::string_view bytes, const std::string& name, bool weld, const Context& context);
 MeshFile read_ply(std::string_view bytes, const std::string& name, const Context& context);
 
-/// A binary STL file has just the size that its count of triangles asks for.
-bool is_stl_binary(std::string_view bytes);
+/// Whether the file has just the size that its count of triangles asks for, as a binary STL.
+bool fits_stl_binary(std::string_view bytes);
+/// Of an STL file: begins with "solid" or "facet", in any case, and holds letters where a binary one has its count
+/// (whose header may begin with "solid" too, and other data may follow the triangles).
+bool is_stl_text(std::string_view bytes);
 
 }  // namespace quoin::io

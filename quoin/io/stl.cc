@@ -27,16 +27,25 @@ std::uint32_t little_endian(std::string_view bytes, std::size_t at) {
 void expect_words(TextLines& lines, std::string_view first, std::string_view second) {
   lines.need(std::string(first));
   const auto& words = lines.words();
-  if (words[0] != first || (!second.empty() && (words.size() < 2 || words[1] != second))) {
+  if (!is_word(words[0], first) || (!second.empty() && (words.size() < 2 || !is_word(words[1], second)))) {
     lines.fail("'" + std::string(first) + (second.empty() ? "" : " ") + std::string(second) + "' should stand here");
   }
 }
 
 }  // namespace
 
-bool is_stl_binary(std::string_view bytes) {
+bool fits_stl_binary(std::string_view bytes) {
   return bytes.size() >= header_size &&
          bytes.size() == header_size + triangle_size * std::uint64_t{little_endian(bytes, 80)};
+}
+
+// Bytes 80 to 83 of a text are at least 9, the tabulator: as a count they would stand for more than 151 million
+// triangles, 7.5 GB. So the last of them tells counts from text.
+bool is_stl_text(std::string_view bytes) {
+  if (fits_stl_binary(bytes)) return false;
+  const std::string_view word = first_word(bytes);
+  if (!is_word(word, "solid") && !is_word(word, "facet")) return false;
+  return bytes.size() < header_size || static_cast<unsigned char>(bytes[83]) >= '\t';
 }
 
 namespace {
@@ -178,16 +187,16 @@ MeshFile read_stl_text(std::string_view bytes, const std::string& name, const Co
   bool in_solid = false;
   while (lines.next()) {
     const auto& words = lines.words();
-    if (words[0] == "solid") {
+    if (is_word(words[0], "solid")) {
       in_solid = true;
       if (mesh.name.empty() && words.size() > 1) mesh.name = words[1];
       continue;
     }
-    if (words[0] == "endsolid") {
+    if (is_word(words[0], "endsolid")) {
       in_solid = false;
       continue;
     }
-    if (words[0] != "facet") lines.fail("'facet' or 'endsolid' should stand here");
+    if (!is_word(words[0], "facet")) lines.fail("'facet' or 'endsolid' should stand here");
     if (mesh.vertices.size() % 4095 == 0) context.poll();
     expect_words(lines, "outer", "loop");
     for (int k = 0; k < 3; ++k) {

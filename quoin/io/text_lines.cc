@@ -1,18 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "quoin/io/text_lines.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
 namespace quoin::io {
 
-namespace {
-
-std::string quoted(std::string_view word) {
-  return "'" + std::string(word.substr(0, 40)) + "'";
+std::string_view first_word(std::string_view text) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  const std::size_t begin = std::min(text.find_first_not_of(" \t\r\n"), text.size());
+  return text.substr(begin, text.find_first_of(" \t\r\n", begin) - begin);
 }
 
-}  // namespace
+std::string quoted(std::string_view word) {
+  std::string text = "'";
+  for (const char c : word.substr(0, 40)) {
+    const auto byte = static_cast<unsigned char>(c);
+    text += byte < 0x20 || byte == 0x7F ? '?' : c;
+  }
+  return text + "'";
+}
+
+bool is_word(std::string_view word, std::string_view lower_case) {
+  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+  return std::ranges::equal(word, lower_case, {}, lower);
+}
 
 bool parse_number(std::string_view word, double& value) {
   if (word.starts_with('+')) word.remove_prefix(1);

@@ -27,8 +27,9 @@ class TextLines {
   /// A line that ends in a backslash goes on in the next one.
   void join_continued_lines() { joins_ = true; }
 
-  [[noreturn]] void fail(std::string_view what) const {
-    throw InputError(name_ + ":" + std::to_string(line_) + ": " + std::string(what));
+  [[noreturn]] void fail(std::string_view what) const { fail_at(line_, what); }
+  [[noreturn]] void fail_at(std::size_t line, std::string_view what) const {
+    throw InputError(name_ + ":" + std::to_string(line) + ": " + std::string(what));
   }
   double number(std::string_view word) const;
   std::int64_t integer(std::string_view word) const;
@@ -48,5 +49,14 @@ class TextLines {
 
 /// A finite double from the whole word, else false. Accepts a leading plus sign.
 bool parse_number(std::string_view word, double& value);
+
+/// The first word of a text, behind a byte order mark.
+std::string_view first_word(std::string_view text);
+
+/// The word in quotes for a message, cut short, control characters as question marks.
+std::string quoted(std::string_view word);
+
+/// Whether the word is this one, in letters of any case.
+bool is_word(std::string_view word, std::string_view lower_case);
 
 }  // namespace quoin::io

@@ -31,6 +31,7 @@ class CrossingFinder {
     check_edges_against_edges();
     check_edges_against_faces();
     check_vertices_in_faces();
+    if (!check_slits()) return std::move(violations_);  // such a face need not have an inside at its outermost vertex
     check_sides();
     check_shells();
     return std::move(violations_);
@@ -222,6 +223,20 @@ class CrossingFinder {
       }
     }
     return found;
+  }
+
+  // An edge that a face passes in both directions has the face on both sides, or bounds nothing.
+  bool check_slits() {
+    bool is_sound = true;
+    for (std::size_t i = 0; i + 1 < uses_.size(); ++i) {
+      if (uses_[i] != uses_[i + 1]) continue;
+      const auto& [edge, face] = uses_[i];
+      const PlacedPoint middle(b_.points, (b_.points.exact(edge.a) + b_.points.exact(edge.b)) * Rational(0.5));
+      if (place_in_face(b_, face, middle, projection_axis(b_, face)).is_inside_when_moved) continue;
+      is_sound = false;
+      say(name(edge) + " dangles from " + name(face));
+    }
+    return is_sound;
   }
 
   RationalPoint3 meet(const RationalPoint3& p, const RationalPoint3& q, std::uint32_t face) const {
