@@ -4,11 +4,13 @@
 #include <exception>
 #include <new>
 
+#include "quoin/cli/interruption.h"
 #include "quoin/cli/streams.h"
 
 namespace quoin::cli {
 
 Failure current_failure() {
+  if (was_interrupted()) return {"cancelled", exit_cancelled};
   try {
     throw;
   } catch (const UsageError& error) {

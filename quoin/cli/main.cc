@@ -1,23 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <chrono>
-#include <csignal>
 #include <iostream>
 #include <map>
 
 #include "quoin/cli/arguments.h"
 #include "quoin/cli/commands.h"
 #include "quoin/cli/failure.h"
+#include "quoin/cli/interruption.h"
 #include "quoin/cli/streams.h"
 #include "quoin/cli/targets.h"
 
 namespace quoin::cli {
 namespace {
-
-std::atomic<Context*> running{nullptr};
-
-void cancel_running(int) {
-  if (Context* context = running.load()) context->cancel();
-}
 
 ContextOptions context_options(const Options& options) {
   ContextOptions result;
@@ -33,11 +27,7 @@ int run(const Options& options) {
   require_single_use_of_streams(options);
   require_known_targets(options);
   Context context(context_options(options));
-  running = &context;
-  struct sigaction action {};
-  action.sa_handler = &cancel_running;
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
+  const InterruptionGuard guard(context);
   using Run = int (*)(const Options&, const Context&);
   static const std::map<std::string, Run> runs{{"union", run_boolean},
                                                {"intersection", run_boolean},
@@ -52,21 +42,17 @@ int run(const Options& options) {
                                                {"classify", run_classify},
                                                {"section", run_section},
                                                {"interfere", run_interfere}};
-  const int code = runs.at(options.command)(options, context);
-  running = nullptr;
-  return code;
+  return runs.at(options.command)(options, context);
 }
 
 int main_with_failures(int argc, char** argv) {
   Options options;
-  int code = 0;
   try {
     const std::optional<int> nothing_to_run = parse_arguments(argc, argv, options);
-    code = nothing_to_run ? *nothing_to_run : run(options);
+    const int code = nothing_to_run ? *nothing_to_run : run(options);
     flush_standard_output();
     return code;
   } catch (...) {
-    running = nullptr;
     const Failure failure = current_failure();
     print_failure(failure, options);
     std::cout.flush();

@@ -92,20 +92,27 @@ class Progress(CommandTest):
                 self.assertNotRegex(done.stdout + done.stderr, r"[\r\x1b]")
                 self.assertEqual("quoin: reading\n" in done.stderr, "-v" in more, done.stderr)
 
-    def test_interruption_leaves_a_clean_line(self):
-        arguments = ["classify", "a.off", "--points", "points"]
-        os.mkfifo(self.folder / "points")
+    def interrupted(self, *words, pipe):
+        """What stays on the screen when an interruption comes while quoin waits for a pipe."""
+        os.mkfifo(self.folder / pipe)
         terminal, other = pty.openpty()
-        with subprocess.Popen([self.quoin, *arguments], stderr=other, stdout=other, cwd=self.folder) as process:
+        with subprocess.Popen([self.quoin, *words], stderr=other, stdout=other, cwd=self.folder) as process:
             os.close(other)
-            with open(self.folder / "points", "w", encoding="ascii") as pipe:
+            with open(self.folder / pipe, "w", encoding="ascii"):
                 time.sleep(0.1)
                 process.send_signal(signal.SIGINT)
-                pipe.write("1,1,1\n" * 10)
+                time.sleep(0.1)
             shown = seen(drain(terminal))
             self.assertEqual(process.wait(timeout=60), 4, shown)
         os.close(terminal)
+        return shown
+
+    def test_interruption_leaves_a_clean_line(self):
+        shown = self.interrupted("classify", "a.off", "--points", "points", pipe="points")
         self.assertEqual(shown, "quoin: cancelled\n")
+        shown = self.interrupted("info", "a.off", "mesh", "b.off", pipe="mesh")
+        self.assertIn("quoin: cancelled\n", shown)
+        self.assertNotIn("b.off", shown)
 
 
 if __name__ == "__main__":
