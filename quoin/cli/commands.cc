@@ -14,6 +14,7 @@
 #include "quoin/cli/summary.h"
 #include "quoin/io/exact_text.h"
 #include "quoin/solid/check.h"
+#include "quoin/solid/measure.h"
 #include "quoin/solid/repair.h"
 #include "quoin/solid/solid.h"
 
@@ -33,6 +34,35 @@ const char* name_of(Rounding rounding, bool accepted) {
   return rounding == Rounding::certified ? "certified" : accepted ? "accepted" : "failed";
 }
 
+Json json_of(const Topology& topology) {
+  return {{"components", topology.components},
+          {"shells", topology.shells},
+          {"voids", topology.voids},
+          {"manifold", topology.is_manifold},
+          {"handles", topology.handles}};
+}
+
+// By how much rounding changed the topology, file by file.
+Json json_of(const std::vector<TopologyChange>& changes, const Brep& boundary, const Context& context) {
+  Json json = Json::array();
+  for (const TopologyChange& change : changes) {
+    Json before = json_of(change.before);
+    Json after = json_of(change.after);
+    before["volume"] = rounded_volume(boundary, context);
+    after["volume"] = rounded_volume(*change.resolved, context);
+    json.push_back({{"file", change.file}, {"before", std::move(before)}, {"after", std::move(after)}});
+  }
+  return json;
+}
+
+// The summary of what the files hold: the exact boundary, or what snapping made of it.
+Json summary_of_result(const Brep& boundary, const OutputReport& output, const Context& context) {
+  if (!output.resolved) return summarize(boundary, context);
+  Json summary = summarize(*output.resolved, context);
+  summary["inputs"] = boundary.leaf_names;
+  return summary;
+}
+
 // The report of a command that made a solid, on standard output, or on standard error where the solid itself goes
 // there.
 int report(const Brep& boundary, const OutputReport& output, const std::vector<std::string>& warnings, double seconds,
@@ -47,13 +77,16 @@ int report(const Brep& boundary, const OutputReport& output, const std::vector<s
   json["rounding_rounds"] = output.rounds;
   json["outputs"] = options.outputs;
   if (options.json) {
+    if (!output.topology_changes.empty())
+      json["topology_changes"] = json_of(output.topology_changes, boundary, context);
     json["warnings"] = warnings;
-    json["result"] = summarize(boundary, context);
+    for (const std::string& note : output.notes) json["warnings"].push_back(note);
+    json["result"] = summary_of_result(boundary, output, context);
     json.update(details);
     out << json.dump(2) << "\n";
   } else if (!options.quiet) {
     out << as_text(json);
-    if (options.verbose || options.outputs.empty()) out << as_text(summarize(boundary, context));
+    if (options.verbose || options.outputs.empty()) out << as_text(summary_of_result(boundary, output, context));
   }
   if (!options.json) print_warnings(warnings, options);
   for (const std::string& note : output.notes) std::cerr << "quoin: " << note << "\n";

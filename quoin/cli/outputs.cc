@@ -2,6 +2,8 @@
 #include "quoin/cli/outputs.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -36,6 +38,31 @@ Target target_of(const std::string& name) {
   return {name, Kind::mesh, *format};
 }
 
+std::string shortest(double value) {
+  std::array<char, 32> digits;
+  return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
+}
+
+void add_change(std::string& text, const char* what, std::size_t before, std::size_t after) {
+  if (before == after) return;
+  text += (text.empty() ? "" : ", ") + std::to_string(after) + " " + what + " instead of " + std::to_string(before);
+}
+
+std::string describe_change(const Topology& before, const Topology& after) {
+  if (after.shells == 0) return "nothing is left of it (components before: " + std::to_string(before.components) + ")";
+  std::string text;
+  add_change(text, "components", before.components, after.components);
+  add_change(text, "shells", before.shells, after.shells);
+  add_change(text, "voids", before.voids, after.voids);
+  if (before.is_manifold != after.is_manifold) {
+    text += (text.empty() ? "" : ", ");
+    text += after.is_manifold ? "it touches itself no longer" : "it touches itself in edges or vertices";
+  } else {
+    add_change(text, "handles", before.handles, after.handles);
+  }
+  return text;
+}
+
 class OutputWriter {
  public:
   OutputWriter(const Brep& boundary, std::string title, const Options& options, const Context& context)
@@ -54,6 +81,7 @@ class OutputWriter {
     if (!result) {
       ExitOptions exit;
       exit.precision = precision;
+      exit.keep_polygons = true;
       result = triangulate_boundary(boundary_, exit, context_);
       report_.rounding = std::max(report_.rounding, result->rounding);
       report_.max_displacement = std::max(report_.max_displacement, result->max_displacement);
@@ -62,16 +90,37 @@ class OutputWriter {
     return *result;
   }
 
-  bool is_acceptable(const Triangulated& t, const std::string& name) {
-    if (t.rounding != Rounding::failed) return true;
-    std::string note =
-        name + ": rounding makes " + std::to_string(t.crossings.size()) + " or more pairs of triangles cross";
+  // Says what snapping did. A picture and a mesh of one precision are told apart by their names alone.
+  void report_snapping(const Triangulated& t, const std::string& name) {
+    if (t.rounds == 0 || t.rounding == Rounding::failed) return;
+    if (!report_.resolved) report_.resolved = t.resolved;
+    if (t.rounding == Rounding::certified) {
+      report_.notes.push_back(name + ": rounding made faces cross; snapping mended that, in " +
+                              std::to_string(t.rounds) + " round" + (t.rounds == 1 ? "" : "s") +
+                              ", and moved coordinates by up to " + shortest(t.max_displacement));
+      return;
+    }
+    report_.topology_changes.push_back({name, t.resolved, t.topology_before, t.topology_after});
+    report_.notes.push_back(name +
+                            ": rounding changes the solid: " + describe_change(t.topology_before, t.topology_after) +
+                            "; coordinates move by up to " + shortest(t.max_displacement));
+  }
+
+  void report_failure(const Triangulated& t, const std::string& name) {
+    if (t.rounding != Rounding::failed) return;
+    std::string note = name + ": rounding turns parts of the surface inside out";
+    if (!t.crossings.empty())
+      note = name + ": rounding makes " + std::to_string(t.crossings.size()) + " or more pairs of triangles cross";
     for (std::size_t i = 0; i < std::min<std::size_t>(t.crossings.size(), 4); ++i) {
       note += " " + std::to_string(t.crossings[i].a) + "/" + std::to_string(t.crossings[i].b);
     }
     report_.notes.push_back(note);
-    if (!options_.accept_rounding) report_.written = false;
-    return options_.accept_rounding;
+  }
+
+  bool is_acceptable(const Triangulated& t) {
+    if (t.rounding <= Rounding::certified || options_.accept_rounding) return true;
+    report_.written = false;
+    return false;
   }
 
   void write(const Target& target) {
@@ -86,8 +135,10 @@ class OutputWriter {
     if (boundary_.is_unbounded)
       throw InputError(target.name + ": the solid is unbounded; only .html and .qsolid hold such");
     const Triangulated& t = triangles(is_single_precision(target.format) ? Precision::binary32 : Precision::binary64);
-    if (!is_acceptable(t, target.name)) return;
-    const Mesh mesh = to_mesh(boundary_, t, title_);
+    report_snapping(t, target.name);
+    report_failure(t, target.name);
+    if (!is_acceptable(t)) return;
+    const Mesh mesh = to_mesh(boundary_, t, title_, !is_triangles_only(target.format));
     WriteReport written;
     if (target.name == "-") {
       written = write_mesh(std::cout, target.format, mesh, context_);
@@ -102,6 +153,8 @@ class OutputWriter {
   // A picture may show rounded coordinates in any case; the report says how they are.
   void write_html(const std::string& name) {
     const Triangulated& t = triangles(Precision::binary64);
+    report_snapping(t, name);
+    report_failure(t, name);
     std::ofstream out(name, std::ios::binary);
     if (!out) throw FileError(name + ": cannot be written");
     write_page(out, scene_of_solid(boundary_, t, title_, context_));
@@ -120,15 +173,24 @@ class OutputWriter {
 
 }  // namespace
 
-Mesh to_mesh(const Brep& boundary, const Triangulated& t, const std::string& name) {
+Mesh to_mesh(const Brep& boundary, const Triangulated& t, const std::string& name, bool with_polygons) {
   Mesh mesh;
   mesh.name = name;
   mesh.vertices = t.vertices;
   mesh.corners.reserve(3 * t.triangles.size());
   mesh.face_begin.reserve(t.triangles.size() + 1);
-  for (const Tile& triangle : t.triangles) mesh.add_face(triangle);
-  if (!boundary.face_colors.empty()) {
-    for (const std::uint32_t f : t.triangle_face) mesh.face_colors.push_back(boundary.face_colors[f]);
+  const FacePolygons& polygons = t.polygons;
+  std::size_t polygon = with_polygons ? 0 : polygons.first_triangle.size();
+  for (std::uint32_t i = 0; i < t.triangles.size();) {
+    if (!boundary.face_colors.empty()) mesh.face_colors.push_back(boundary.face_colors[t.triangle_face[i]]);
+    if (polygon < polygons.first_triangle.size() && polygons.first_triangle[polygon] == i) {
+      const std::uint32_t count = polygons.begin[polygon + 1] - polygons.begin[polygon];
+      mesh.add_face(std::span(polygons.corners).subspan(polygons.begin[polygon], count));
+      i += count - 2;
+      ++polygon;
+    } else {
+      mesh.add_face(t.triangles[i++]);
+    }
   }
   return mesh;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -11,22 +12,32 @@
 
 namespace quoin::cli {
 
+/// A file in which rounding changed the topology.
+struct TopologyChange {
+  std::string file;
+  std::shared_ptr<const Brep> resolved;  ///< what the file holds, or would
+  Topology before;
+  Topology after;
+};
+
 /// What became of a result on its way to files.
 struct OutputReport {
   Rounding rounding = Rounding::exact;  ///< the worst of all files
   double max_displacement = 0;
   unsigned rounds = 0;
-  bool written = true;  ///< false: rounding failed and was not accepted
+  bool written = true;  ///< false: rounding failed or changed the topology, and that was not accepted
+  std::vector<TopologyChange> topology_changes;
+  std::shared_ptr<const Brep> resolved;  ///< null, or what the first file holds that needed rounds of snapping
   std::vector<std::string> notes;
 };
 
 /// Writes the boundary to every output: meshes by their ending, .html as a page of the view, .qsolid exactly.
-/// Certified, unless options.accept_rounding. @throws FileError, InputError (unknown ending; an unbounded solid as a
-/// mesh)
+/// Meshes are certified, unless options.accept_rounding, and have maximal faces as polygons where that loses nothing.
+/// @throws FileError, InputError (unknown ending; an unbounded solid as a mesh)
 OutputReport write_outputs(const Brep& boundary, const std::string& title, const Options& options,
                            const Context& context);
 
-/// A triangulated boundary as a mesh.
-Mesh to_mesh(const Brep& boundary, const Triangulated& triangles, const std::string& name);
+/// A triangulated boundary as a mesh, with polygons for the faces that may stand as such.
+Mesh to_mesh(const Brep& boundary, const Triangulated& triangles, const std::string& name, bool with_polygons);
 
 }  // namespace quoin::cli

@@ -24,4 +24,17 @@ struct TopologyCounts {
 /// O(n log n), from the loops alone.
 TopologyCounts count_topology(const Brep& boundary);
 
+/// What of a boundary does not depend on coordinates, nor on how its surface is cut into faces.
+struct Topology {
+  std::size_t components = 0;
+  std::size_t shells = 0;
+  std::size_t voids = 0;
+  bool is_manifold = true;
+  std::size_t handles = 0;  ///< of all shells together; 0 where the boundary is no manifold
+  friend bool operator==(const Topology&, const Topology&) = default;
+};
+
+/// O(n log n). Handles by Euler and Poincare: V - E + F - (L - F) = 2 (shells - handles).
+Topology topology_of(const Brep& boundary);
+
 }  // namespace quoin
