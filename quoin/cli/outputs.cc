@@ -56,7 +56,7 @@ std::string describe_change(const Topology& before, const Topology& after) {
   add_change(text, "voids", before.voids, after.voids);
   if (before.is_manifold != after.is_manifold) {
     text += (text.empty() ? "" : ", ");
-    text += after.is_manifold ? "it touches itself no longer" : "it touches itself in edges or vertices";
+    text += after.is_manifold ? "it no longer touches itself" : "it comes to touch itself";
   } else {
     add_change(text, "handles", before.handles, after.handles);
   }
@@ -90,20 +90,19 @@ class OutputWriter {
     return *result;
   }
 
-  // Says what snapping did. A picture and a mesh of one precision are told apart by their names alone.
+  // Says what snapping did.
   void report_snapping(const Triangulated& t, const std::string& name) {
     if (t.rounds == 0 || t.rounding == Rounding::failed) return;
     if (!report_.resolved) report_.resolved = t.resolved;
-    if (t.rounding == Rounding::certified) {
-      report_.notes.push_back(name + ": rounding made faces cross; snapping mended that, in " +
-                              std::to_string(t.rounds) + " round" + (t.rounds == 1 ? "" : "s") +
-                              ", and moved coordinates by up to " + shortest(t.max_displacement));
-      return;
+    std::string note = name + ": ";
+    if (t.topology_before == t.topology_after) {
+      note += "rounding made faces cross, which snapping mended in " + std::to_string(t.rounds) +
+              (t.rounds == 1 ? " round" : " rounds");
+    } else {
+      report_.topology_changes.push_back({name, t.resolved, t.topology_before, t.topology_after});
+      note += "rounding changes the solid: " + describe_change(t.topology_before, t.topology_after);
     }
-    report_.topology_changes.push_back({name, t.resolved, t.topology_before, t.topology_after});
-    report_.notes.push_back(name +
-                            ": rounding changes the solid: " + describe_change(t.topology_before, t.topology_after) +
-                            "; coordinates move by up to " + shortest(t.max_displacement));
+    report_.notes.push_back(note + "; coordinates move by up to " + shortest(t.max_displacement));
   }
 
   void report_failure(const Triangulated& t, const std::string& name) {

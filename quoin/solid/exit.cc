@@ -153,7 +153,7 @@ class Exit {
     if (result_.rounds == 0) return positions_.moved_count == 0 ? Rounding::exact : Rounding::certified;
     result_.topology_before = topology_of(boundary_);
     result_.topology_after = topology_of(*current_);
-    return result_.topology_before == result_.topology_after ? Rounding::certified : Rounding::changed;
+    return result_.topology_after.has_parts_of(result_.topology_before) ? Rounding::certified : Rounding::changed;
   }
 
   // False where the snapped triangles do not close. Without crossings some side is wrong, which needs no snapping.

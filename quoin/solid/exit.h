@@ -27,8 +27,9 @@ struct ExitOptions {
 enum class Rounding {
   exact,      ///< no vertex moved
   certified,  ///< vertices moved; an exact check found that no two triangles meet outside their shared vertices and
-              ///< edges, that material is on the same sides, and that the topology is the same
-  changed,    ///< the same, but rounds of snapping changed the topology: something vanished, fused or fell apart
+              ///< edges, and that material is on the same sides; after rounds of snapping the topology is the same,
+              ///< except that the boundary may touch itself where it did not, or no longer
+  changed,    ///< the same, but components, shells, voids or handles vanished, fused or fell apart
   failed      ///< vertices moved, and some triangles cross (the pairs are listed) or have material on the wrong side
 };
 
