@@ -239,6 +239,8 @@ int run_repair(const Options& options, const Context& context) {
   if (!leaf.leaf) {
     std::string message = name + ": cannot be repaired to a solid";
     for (const std::string& change : warnings) message += "\n  " + change;
+    for (const RepairChange& refusal : repaired.refusals)
+      message += "\n  left as it was: " + describe(refusal.what, refusal.faces);
     for (const std::string& line : describe(leaf.diagnosis)) message += "\n  " + line;
     throw InputError(message);
   }
