@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <random>
+#include <vector>
 
 #include "quoin/solid/measure.h"
 #include "quoin/solid/shapes.h"
@@ -124,6 +126,35 @@ TEST(Exit, BodiesThatComeToLieInOthersAreNotCertified) {
     swallowed += left == 1 ? 1 : 0;
   }
   EXPECT_GT(swallowed, 0U);
+}
+
+std::vector<std::size_t> polygon_sizes(const Solid& s, Precision precision) {
+  ExitOptions options;
+  options.precision = precision;
+  options.keep_polygons = true;
+  const FacePolygons polygons = triangulate_boundary(s.boundary(), options, one_thread).polygons;
+  std::vector<std::size_t> sizes;
+  for (std::size_t i = 1; i < polygons.begin.size(); ++i) sizes.push_back(polygons.begin[i] - polygons.begin[i - 1]);
+  std::sort(sizes.begin(), sizes.end());
+  return sizes;
+}
+
+TEST(Exit, PlanarFacesWithoutHolesStayPolygons) {
+  using Sizes = std::vector<std::size_t>;
+  const Solid cube = solid(shapes::cube());
+  EXPECT_EQ(polygon_sizes(cube, Precision::binary64), Sizes(6, 4));
+  const Solid corner = solid(shapes::box({0.5, 0.5, -1}, {2, 2, 2}));
+  EXPECT_EQ(polygon_sizes(subtract(cube, {&corner, 1}, one_thread), Precision::binary64),
+            (Sizes{4, 4, 4, 4, 4, 4, 6, 6}));
+  const Solid drill = solid(shapes::box({0.25, 0.25, 0.5}, {0.75, 0.75, 2}));
+  EXPECT_EQ(polygon_sizes(subtract(cube, {&drill, 1}, one_thread), Precision::binary64), Sizes(10, 4));
+}
+
+// Rounding leaves the faces of a box planar, not those of a turned one.
+TEST(Exit, FacesThatRoundingBendsAreTriangulated) {
+  EXPECT_EQ(polygon_sizes(solid(shapes::box({0.1, 0.1, 0.1}, {0.7, 0.7, 0.7})), Precision::binary32).size(), 6U);
+  const Mesh turned = shapes::rotated(shapes::rotated(shapes::cube(), shapes::Axis::x, 0.3), shapes::Axis::y, 0.7);
+  EXPECT_LT(polygon_sizes(solid(turned), Precision::binary32).size(), 6U);
 }
 
 }  // namespace

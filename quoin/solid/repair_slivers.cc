@@ -5,6 +5,7 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "quoin/base/disjoint_sets.h"
 #include "quoin/kernel/predicates2.h"
 
 namespace quoin {
@@ -39,6 +40,7 @@ class SliverFinder {
       context_.poll();
       asked = drop(asked);
     }
+    drop_groups();
     std::sort(dropped_.begin(), dropped_.end());
     return std::move(dropped_);
   }
@@ -102,6 +104,27 @@ class SliverFinder {
     std::size_t odd = 0;
     for_each_edge(face, [&](std::uint64_t edge) { odd += 1 - edges_.at(edge).uses % 2; });
     return 2 * odd >= faces_[face].size();
+  }
+
+  // Slivers may hold each other in place: those that hang together in edges go where all of these have even use
+  // without them, and had not with them.
+  void drop_groups() {
+    DisjointSets groups(faces_.size());
+    for (const auto& [edge, at] : edges_) {
+      for (const std::uint32_t f : at.slivers) groups.unite(at.slivers[0], f);
+    }
+    std::vector<bool> is_odd_with(faces_.size(), false);
+    std::vector<bool> is_odd_without(faces_.size(), false);
+    for (const auto& [edge, at] : edges_) {
+      if (at.slivers.empty()) continue;
+      const std::uint32_t group = groups.find(at.slivers[0]);
+      if (at.uses % 2 != 0) is_odd_with[group] = true;
+      if ((at.uses - at.slivers.size()) % 2 != 0) is_odd_without[group] = true;
+    }
+    for (const std::uint32_t f : slivers_) {
+      const std::uint32_t group = groups.find(f);
+      if (!is_dropped_[f] && is_odd_with[group] && !is_odd_without[group]) dropped_.push_back(f);
+    }
   }
 
   struct Edge {
