@@ -30,7 +30,7 @@ void add_common(CLI::App& command, Options& options, bool writes) {
         "file to write, format by its ending: off obj stl ply (rounded, certified), html (a page to look at), "
         "qsolid (exact); '-' for OFF on standard output; may be repeated");
     command.add_flag("--accept-rounding", options.accept_rounding,
-                     "write a mesh even where rounding makes faces cross");
+                     "write a mesh even where rounding makes faces cross, or parts vanish or fuse");
   }
   command.add_flag("--json", options.json, "report as JSON");
   command.add_option("--threads", options.threads, "threads to use (default: all)");
