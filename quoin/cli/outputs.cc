@@ -93,7 +93,6 @@ class OutputWriter {
   // Says what snapping did.
   void report_snapping(const Triangulated& t, const std::string& name) {
     if (t.rounds == 0 || t.rounding == Rounding::failed) return;
-    if (!report_.resolved) report_.resolved = t.resolved;
     std::string note = name + ": ";
     if (t.topology_before == t.topology_after) {
       note += "rounding made faces cross, which snapping mended in " + std::to_string(t.rounds) +
@@ -137,6 +136,7 @@ class OutputWriter {
     report_snapping(t, target.name);
     report_failure(t, target.name);
     if (!is_acceptable(t)) return;
+    if (t.rounding != Rounding::failed && !report_.resolved) report_.resolved = t.resolved;
     const Mesh mesh = to_mesh(boundary_, t, title_, !is_triangles_only(target.format));
     WriteReport written;
     if (target.name == "-") {

@@ -27,7 +27,7 @@ struct OutputReport {
   unsigned rounds = 0;
   bool written = true;  ///< false: rounding failed or changed the topology, and that was not accepted
   std::vector<TopologyChange> topology_changes;
-  std::shared_ptr<const Brep> resolved;  ///< null, or what the first file holds that needed rounds of snapping
+  std::shared_ptr<const Brep> resolved;  ///< null, or what the first mesh file holds that needed rounds of snapping
   std::vector<std::string> notes;
 };
 
