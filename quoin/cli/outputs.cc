@@ -39,7 +39,7 @@ Target target_of(const std::string& name) {
 }
 
 std::string shortest(double value) {
-  std::array<char, 32> digits;
+  std::array<char, 32> digits{};
   return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
 }
 
