@@ -44,7 +44,8 @@ void add_makers_options(CLI::App& command, Options& options) {
                  "file to write, format by its ending: off obj stl ply (rounded, certified), html (a page to look at), "
                  "qsolid (exact); '-' for standard output; may be repeated");
   command.add_option("--format", options.format, "format of standard output: an ending without its dot (default: off)");
-  command.add_flag("--accept-rounding", options.accept_rounding, "write a mesh even where rounding makes faces cross");
+  command.add_flag("--accept-rounding", options.accept_rounding,
+                   "write a mesh even where rounding makes faces cross, or parts vanish or fuse");
 }
 
 void add_common(CLI::App& command, Options& options) {

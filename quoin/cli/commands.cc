@@ -45,6 +45,7 @@ Json as_json(const std::vector<RepairChange>& changes) {
 struct Repaired {
   LeafResult leaf;  // findings name faces of the file
   std::vector<RepairChange> changes;
+  std::vector<RepairChange> refusals;
   std::vector<std::string> findings;
 };
 
@@ -56,6 +57,7 @@ Repaired repair_input(const Input& input, const std::string& name, const Context
     result.leaf = make_leaf(repaired.mesh, {}, context);
     rename_faces(result.leaf.diagnosis, repaired.source_face);
     result.changes = std::move(repaired.changes);
+    result.refusals = std::move(repaired.refusals);
   } else {
     result.leaf = make_leaf(input, name, context);
   }
@@ -110,6 +112,8 @@ int run_repair(const Options& options, const Context& context) {
   Repaired repaired = repair_input(input, name, context);
   std::vector<std::string> changes = lines_of(repaired.changes);
   if (!repaired.leaf.leaf) {
+    for (const RepairChange& refusal : repaired.refusals)
+      changes.push_back("left as it was: " + describe(refusal.what, refusal.faces));
     changes.insert(changes.end(), repaired.findings.begin(), repaired.findings.end());
     throw InputError(refusal(name, "cannot be repaired to a solid", changes));
   }

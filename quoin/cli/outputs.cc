@@ -2,9 +2,12 @@
 #include "quoin/cli/outputs.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <filesystem>
 #include <fstream>
 #include <optional>
+#include <span>
 
 #include "quoin/base/error.h"
 #include "quoin/cli/scene_of_solid.h"
@@ -17,6 +20,11 @@
 namespace quoin::cli {
 
 namespace {
+
+std::string shortest(double value) {
+  std::array<char, 32> digits{};
+  return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
+}
 
 class OutputWriter {
  public:
@@ -34,6 +42,7 @@ class OutputWriter {
     if (!result) {
       ExitOptions exit;
       exit.precision = precision;
+      exit.keep_polygons = true;
       result = triangulate_boundary(boundary_, exit, context_);
       report_.rounding = std::max(report_.rounding, result->rounding);
       report_.max_displacement = std::max(report_.max_displacement, result->max_displacement);
@@ -42,15 +51,34 @@ class OutputWriter {
     return *result;
   }
 
-  bool is_acceptable(const Triangulated& t, const std::string& name) {
-    if (t.rounding != Rounding::failed) return true;
-    std::string note =
-        name + ": rounding makes " + std::to_string(t.crossings.size()) + " or more pairs of triangles cross";
-    for (std::size_t i = 0; i < std::min<std::size_t>(t.crossings.size(), 4); ++i) {
-      note += " " + std::to_string(t.crossings[i].a) + "/" + std::to_string(t.crossings[i].b);
+  bool is_acceptable(const Triangulated& t) const {
+    return t.rounding <= Rounding::certified || options_.accept_rounding;
+  }
+
+  // Says what snapping did, or that it did not help: a note, or the reason why the file is refused.
+  void report_rounding(const Triangulated& t, const std::string& name, bool is_written) {
+    if (t.rounds == 0 && t.rounding != Rounding::failed) return;
+    const std::string what = t.rounding == Rounding::failed ? describe_failure(t) : describe_snapping(t, name);
+    (is_written ? report_.notes : report_.refusals).push_back(name + ": " + what);
+  }
+
+  std::string describe_snapping(const Triangulated& t, const std::string& name) {
+    const std::string moved = "; coordinates move by up to " + shortest(t.max_displacement);
+    if (t.topology_before == t.topology_after) {
+      return "rounding made faces cross, which snapping mended in " + std::to_string(t.rounds) +
+             (t.rounds == 1 ? " round" : " rounds") + moved;
     }
-    (options_.accept_rounding ? report_.notes : report_.refusals).push_back(note);
-    return options_.accept_rounding;
+    report_.topology_changes.push_back({name, t.resolved, t.topology_before, t.topology_after});
+    return "rounding changes the solid: " + describe_change(t.topology_before, t.topology_after) + moved;
+  }
+
+  static std::string describe_failure(const Triangulated& t) {
+    if (t.crossings.empty()) return "rounding turns parts of the surface inside out";
+    std::string text = "rounding makes " + std::to_string(t.crossings.size()) + " or more pairs of triangles cross";
+    for (std::size_t i = 0; i < std::min<std::size_t>(t.crossings.size(), 4); ++i) {
+      text += " " + std::to_string(t.crossings[i].a) + "/" + std::to_string(t.crossings[i].b);
+    }
+    return text;
   }
 
   void write(const Target& target) {
@@ -78,8 +106,10 @@ class OutputWriter {
     if (boundary_.is_unbounded)
       throw InputError(target.name + ": the solid is unbounded; only .html and .qsolid hold such");
     const Triangulated& t = triangles(is_single_precision(target.format) ? Precision::binary32 : Precision::binary64);
-    if (!is_acceptable(t, target.name)) return;
-    const Mesh mesh = to_mesh(boundary_, t, title_);
+    report_rounding(t, target.name, is_acceptable(t));
+    if (!is_acceptable(t)) return;
+    if (t.rounding != Rounding::failed && !report_.resolved) report_.resolved = t.resolved;
+    const Mesh mesh = to_mesh(boundary_, t, title_, !is_triangles_only(target.format));
     WriteReport written;
     if (target.is_stream()) {
       to_stream([&](std::ostream& out) { written = write_mesh(out, target.format, mesh, context_); });
@@ -91,7 +121,9 @@ class OutputWriter {
 
   // A picture may show rounded coordinates in any case; the report says how they are.
   void write_html(const Target& target) {
-    const ViewScene scene = scene_of_solid(boundary_, triangles(Precision::binary64), title_, context_);
+    const Triangulated& t = triangles(Precision::binary64);
+    report_rounding(t, target.name, true);
+    const ViewScene scene = scene_of_solid(boundary_, t, title_, context_);
     if (target.is_stream()) return to_stream([&](std::ostream& out) { write_page(out, scene); });
     std::ofstream out(target.name, std::ios::binary);
     if (!out) throw FileError(target.name + ": cannot be written");
@@ -111,15 +143,24 @@ class OutputWriter {
 
 }  // namespace
 
-Mesh to_mesh(const Brep& boundary, const Triangulated& t, const std::string& name) {
+Mesh to_mesh(const Brep& boundary, const Triangulated& t, const std::string& name, bool with_polygons) {
   Mesh mesh;
   mesh.name = name;
   mesh.vertices = t.vertices;
   mesh.corners.reserve(3 * t.triangles.size());
   mesh.face_begin.reserve(t.triangles.size() + 1);
-  for (const Tile& triangle : t.triangles) mesh.add_face(triangle);
-  if (!boundary.face_colors.empty()) {
-    for (const std::uint32_t f : t.triangle_face) mesh.face_colors.push_back(boundary.face_colors[f]);
+  const FacePolygons& polygons = t.polygons;
+  std::size_t polygon = with_polygons ? 0 : polygons.first_triangle.size();
+  for (std::uint32_t i = 0; i < t.triangles.size();) {
+    if (!boundary.face_colors.empty()) mesh.face_colors.push_back(boundary.face_colors[t.triangle_face[i]]);
+    if (polygon < polygons.first_triangle.size() && polygons.first_triangle[polygon] == i) {
+      const std::uint32_t count = polygons.begin[polygon + 1] - polygons.begin[polygon];
+      mesh.add_face(std::span(polygons.corners).subspan(polygons.begin[polygon], count));
+      i += count - 2;
+      ++polygon;
+    } else {
+      mesh.add_face(t.triangles[i++]);
+    }
   }
   return mesh;
 }

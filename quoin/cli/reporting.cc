@@ -20,10 +20,21 @@ const char* name_of(Rounding rounding, bool accepted) {
   return rounding == Rounding::certified ? "certified" : accepted ? "accepted" : "failed";
 }
 
-void print_report(const Made& made, Json json, const Failure* failure, const Options& options, const Context& context) {
+// The summary of what the files hold: the exact boundary, or what snapping made of it.
+Json summary_of_result(const Brep& boundary, const OutputReport& output, const Context& context) {
+  if (!output.resolved) return summarize(boundary, context);
+  Json summary = summarize(*output.resolved, context);
+  summary["inputs"] = boundary.leaf_names;
+  return summary;
+}
+
+void print_report(const Made& made, const OutputReport& output, Json json, const Failure* failure,
+                  const Options& options, const Context& context) {
   if (options.json) {
+    if (!output.topology_changes.empty())
+      json["topology_changes"] = as_json(output.topology_changes, made.boundary, context);
     json["warnings"] = made.warnings;
-    json["result"] = summarize(made.boundary, context);
+    json["result"] = summary_of_result(made.boundary, output, context);
     json.update(made.details);
     if (failure != nullptr) json.update(as_json(*failure));
     print_json(json, options);
@@ -31,7 +42,7 @@ void print_report(const Made& made, Json json, const Failure* failure, const Opt
   }
   if (!options.quiet) {
     std::string text = as_text(json);
-    if (options.verbose || options.outputs.empty()) text += as_text(summarize(made.boundary, context));
+    if (options.verbose || options.outputs.empty()) text += as_text(summary_of_result(made.boundary, output, context));
     report_stream(options) << text;
   }
   print_warnings(made.warnings, options);
@@ -60,13 +71,13 @@ int finish(Made made, const Options& options, const Context& context) {
   json["rounding_rounds"] = output.rounds;
   json["outputs"] = options.outputs;
   if (output.refusals.empty()) {
-    print_report(made, std::move(json), nullptr, options, context);
+    print_report(made, output, std::move(json), nullptr, options, context);
     return 0;
   }
   Failure failure;
   for (const std::string& refusal : output.refusals) failure.message += refusal + "\n  ";
   failure.message += "not written: --accept-rounding takes the file as it is, .qsolid holds the exact solid";
-  print_report(made, std::move(json), &failure, options, context);
+  print_report(made, output, std::move(json), &failure, options, context);
   if (!options.json || !data_goes_to_standard_output(options)) note_stream() << "quoin: " << failure.message << "\n";
   return failure.exit_code;
 }

@@ -94,7 +94,7 @@ ViewScene scene_of_solid(const Brep& boundary, const Triangulated& triangles, co
   for (const char* key : {"volume", "area", "vertices", "faces", "shells", "components", "closed", "manifold"}) {
     scene.facts.emplace_back(key, summary[key].dump());
   }
-  const char* rounding[] = {"exact", "certified", "failed"};
+  const char* rounding[] = {"exact", "certified", "changed the topology", "failed"};
   scene.facts.emplace_back("rounding", rounding[static_cast<int>(triangles.rounding)]);
   if (boundary.is_unbounded) scene.facts.emplace_back("extent", "unbounded: the material is outside");
   ViewPart part;

@@ -5,15 +5,15 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <set>
 #include <utility>
 
 #include "quoin/base/error.h"
 #include "quoin/base/parallel.h"
 #include "quoin/solid/exit_check.h"
+#include "quoin/solid/exit_polygons.h"
+#include "quoin/solid/exit_sides.h"
+#include "quoin/solid/exit_snapping.h"
 #include "quoin/solid/exit_triangulation.h"
-#include "quoin/solid/leaf.h"
-#include "quoin/solid/overlay/overlay.h"
 
 namespace quoin {
 
@@ -80,7 +80,7 @@ Positions round_points(const Brep& boundary, Precision precision, const Context&
   return result;
 }
 
-// Per point, 1: a triangle names it.
+// Per point, 1: a triangle names it. Polygons name no others.
 std::vector<std::uint8_t> named_points(std::span<const Tile> triangles, std::size_t point_count) {
   std::vector<std::uint8_t> result(point_count, 0);
   for (const Tile& t : triangles) {
@@ -104,149 +104,118 @@ void set_vertices(Triangulated& result, std::vector<Point3> points, std::span<co
     for (Tile& t : result.triangles) {
       for (std::uint32_t& v : t) v = number[v];
     }
+    for (std::uint32_t& v : result.polygons.corners) v = number[v];
   }
   result.vertices = std::move(points);
 }
 
-// A uniform grid of cells whose size is a power of two.
-class SnapGrid {
+class Exit {
  public:
-  SnapGrid(std::span<const Point3> points, int bits) {
-    double largest = 0;
-    for (const Point3& p : points) largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
-    int exponent = 0;
-    std::frexp(largest, &exponent);
-    cell_ = std::ldexp(1.0, std::max(exponent - bits, -1070));
-  }
+  Exit(const Brep& boundary, const ExitOptions& options, const Context& context)
+      : boundary_(boundary), options_(options), context_(context), current_(&boundary) {}
 
-  double snap(double x) const { return std::nearbyint(x / cell_) * cell_; }
-  Point3 snap(const Point3& p) const { return {snap(p.x), snap(p.y), snap(p.z)}; }
+  Triangulated run() {
+    context_.progress("rounding", 0);
+    for (unsigned round = 0;; ++round) {
+      result_.rounds = round;
+      round_and_triangulate();
+      if (holds()) return finish(rounding_that_holds());
+      if (round == options_.max_rounds || !snap(round)) return finish(Rounding::failed);
+    }
+  }
 
  private:
-  double cell_;
-};
+  void round_and_triangulate() {
+    positions_ = round_points(*current_, options_.precision, context_);
+    FaceTriangles faces = triangulate_faces(*current_, positions_.points, context_);
+    result_.triangles = std::move(faces.triangles);
+    result_.triangle_face = std::move(faces.triangle_face);
+    failed_faces_ = std::move(faces.failed_faces);
+    result_.max_displacement += positions_.displacement;
+    result_.moved_vertices = std::max(result_.moved_vertices, positions_.moved_count);
+  }
 
-struct PointLess {
-  bool operator()(const Point3& a, const Point3& b) const { return lexicographically_less(a, b); }
-};
+  // Whether the triangles bound what the current boundary does, but for the coordinates.
+  bool holds() {
+    result_.crossings.clear();
+    const auto find_named = [&] { is_named_ = named_points(result_.triangles, positions_.points.size()); };
+    if (positions_.moved_count == 0 && failed_faces_.empty()) {
+      find_named();
+      return true;
+    }
+    run_both(context_, find_named, [&] {
+      result_.crossings = find_crossings(positions_.points, result_.triangles, positions_.moved, context_);
+    });
+    add_failed_faces();
+    return result_.crossings.empty() &&
+           are_sides_kept(*current_, positions_.points, result_.triangles, result_.triangle_face, context_);
+  }
 
-// One round of snap rounding: the vertices of crossing triangles, and all others in their cells, go to the cells'
-// centres.
-double snap_crossing(std::vector<Point3>& points, std::span<const Tile> triangles, std::span<const TilePair> crossings,
-                     const SnapGrid& grid) {
-  std::set<Point3, PointLess> cells;
-  for (const TilePair& pair : crossings) {
-    for (const std::uint32_t t : {pair.a, pair.b}) {
-      for (const std::uint32_t v : triangles[t]) cells.insert(grid.snap(points[v]));
+  // A face whose outline is not simple counts as crossing itself.
+  void add_failed_faces() {
+    for (std::uint32_t t = 0; t < result_.triangles.size(); ++t) {
+      if (std::binary_search(failed_faces_.begin(), failed_faces_.end(), result_.triangle_face[t])) {
+        result_.crossings.push_back({t, t});
+      }
     }
   }
-  double displacement = 0;
-  for (Point3& p : points) {
-    const Point3 snapped = grid.snap(p);
-    if (!cells.contains(snapped)) continue;
-    for (std::size_t k = 0; k < 3; ++k) displacement = std::max(displacement, std::fabs(snapped[k] - p[k]));
-    p = snapped;
-  }
-  return displacement;
-}
 
-// The points of positive winding number of triangles that may cross each other; for an unbounded set, whose triangles
-// wind about what it leaves out, the complement of those of the reversed triangles. Nothing where the triangles do not
-// close.
-std::optional<Brep> resolve(const std::vector<Point3>& points, std::span<const Tile> triangles, bool is_unbounded,
-                            const Context& context) {
-  Mesh mesh;
-  std::vector<std::uint32_t> representative(points.size());
-  std::vector<std::uint32_t> order(points.size());
-  for (std::uint32_t v = 0; v < order.size(); ++v) order[v] = v;
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    if (points[a] != points[b]) return lexicographically_less(points[a], points[b]);
-    return a < b;
-  });
-  for (const std::uint32_t v : order) {
-    if (mesh.vertices.empty() || mesh.vertices.back() != points[v]) mesh.vertices.push_back(points[v]);
-    representative[v] = static_cast<std::uint32_t>(mesh.vertices.size() - 1);
+  Rounding rounding_that_holds() {
+    if (result_.rounds == 0) return positions_.moved_count == 0 ? Rounding::exact : Rounding::certified;
+    result_.topology_before = topology_of(boundary_);
+    result_.topology_after = topology_of(*current_);
+    return result_.topology_after.has_parts_of(result_.topology_before) ? Rounding::certified : Rounding::changed;
   }
-  for (const Tile& t : triangles) {
-    Tile corners{representative[t[0]], representative[t[1]], representative[t[2]]};
-    if (is_unbounded) std::swap(corners[1], corners[2]);
-    mesh.add_face(corners);
-  }
-  const LeafResult leaf = make_leaf(mesh, {.max_listed = 0, .find_crossings = false}, context);
-  if (!leaf.leaf) return std::nullopt;
-  const std::shared_ptr<const Leaf> leaves[] = {leaf.leaf};
-  const Expression inside = Expression::leaf(0);
-  return overlay_boundary(leaves, is_unbounded ? Expression::complement(inside) : inside, context);
-}
 
-// After a round of snap rounding the boundary's faces stem from triangles of the round before.
-void name_original_faces(Triangulated& result, const Brep& current, const std::vector<std::uint32_t>& face_before) {
-  if (face_before.empty()) return;
-  for (std::uint32_t& f : result.triangle_face) f = face_before[current.origins[current.face_first_origin[f]].face];
-}
-
-// A face whose outline is not simple counts as crossing itself.
-void add_failed_faces(Triangulated& result, std::span<const std::uint32_t> failed_faces) {
-  for (std::uint32_t t = 0; t < result.triangles.size(); ++t) {
-    if (std::binary_search(failed_faces.begin(), failed_faces.end(), result.triangle_face[t])) {
-      result.crossings.push_back({t, t});
-    }
+  // False where the snapped triangles do not close. Without crossings some side is wrong, which needs no snapping.
+  bool snap(unsigned round) {
+    std::vector<Point3> points = positions_.points;
+    const double displacement = snap_crossing(points, result_.triangles, result_.crossings, bits_);
+    if (round % 2 == 1) bits_ -= 4;
+    std::optional<Brep> next = resolve(points, result_.triangles, boundary_.is_unbounded, context_);
+    if (!next) return false;
+    result_.max_displacement += displacement;
+    name_original_faces();
+    face_before_ = result_.triangle_face;
+    result_.resolved = std::make_shared<const Brep>(std::move(*next));
+    current_ = result_.resolved.get();
+    return true;
   }
-}
+
+  // After a round of snap rounding the boundary's faces stem from triangles of the round before.
+  void name_original_faces() {
+    if (current_ == &boundary_) return;
+    for (std::uint32_t& f : result_.triangle_face)
+      f = face_before_[current_->origins[current_->face_first_origin[f]].face];
+  }
+
+  Triangulated finish(Rounding rounding) {
+    result_.rounding = rounding;
+    if (result_.crossings.size() > options_.max_listed) result_.crossings.resize(options_.max_listed);
+    if (options_.keep_polygons && rounding != Rounding::failed)
+      result_.polygons = find_polygons(*current_, positions_.points, positions_.moved, result_.triangles,
+                                       result_.triangle_face, context_);
+    name_original_faces();
+    set_vertices(result_, std::move(positions_.points), is_named_);
+    return std::move(result_);
+  }
+
+  const Brep& boundary_;
+  const ExitOptions& options_;
+  const Context& context_;
+  const Brep* current_;  // what the triangles are of: the boundary, or what the last round made of it
+  Triangulated result_;
+  Positions positions_;
+  std::vector<std::uint8_t> is_named_;       // per point: by the triangles
+  std::vector<std::uint32_t> failed_faces_;  // of the current boundary
+  std::vector<std::uint32_t> face_before_;   // of the boundary, per triangle of the round before
+  int bits_ = 24;
+};
 
 }  // namespace
 
 Triangulated triangulate_boundary(const Brep& boundary, const ExitOptions& options, const Context& context) {
-  context.progress("rounding", 0);
-  Triangulated result;
-  const Brep* current = &boundary;
-  Brep resolved;
-  std::vector<std::uint32_t> face_before;  // of the boundary, per triangle of the round before
-  int bits = 24;
-  for (unsigned round = 0;; ++round) {
-    Positions positions = round_points(*current, options.precision, context);
-    FaceTriangles faces = triangulate_faces(*current, positions.points, context);
-    result.triangles = std::move(faces.triangles);
-    result.triangle_face = std::move(faces.triangle_face);
-    result.max_displacement += positions.displacement;
-    result.moved_vertices = std::max(result.moved_vertices, positions.moved_count);
-    result.rounds = round;
-    result.crossings.clear();
-    std::vector<std::uint8_t> is_named;
-    const auto find_named = [&] { is_named = named_points(result.triangles, positions.points.size()); };
-    if (positions.moved_count == 0 && faces.failed_faces.empty()) {
-      find_named();
-      name_original_faces(result, *current, face_before);
-      result.rounding = round == 0 ? Rounding::exact : Rounding::certified;
-      set_vertices(result, std::move(positions.points), is_named);
-      return result;
-    }
-    run_both(context, find_named,
-             [&] { result.crossings = find_crossings(positions.points, result.triangles, positions.moved, context); });
-    add_failed_faces(result, faces.failed_faces);
-    name_original_faces(result, *current, face_before);
-    if (result.crossings.empty()) {
-      result.rounding = Rounding::certified;
-      set_vertices(result, std::move(positions.points), is_named);
-      return result;
-    }
-    std::vector<Point3> points = positions.points;
-    const SnapGrid grid(points, bits);
-    if (round % 2 == 1) bits -= 4;
-    const double displacement = snap_crossing(points, result.triangles, result.crossings, grid);
-    std::optional<Brep> next;
-    if (round < options.max_rounds) next = resolve(points, result.triangles, boundary.is_unbounded, context);
-    if (!next) {
-      result.rounding = Rounding::failed;
-      if (result.crossings.size() > options.max_listed) result.crossings.resize(options.max_listed);
-      set_vertices(result, std::move(positions.points), is_named);
-      return result;
-    }
-    result.max_displacement += displacement;
-    face_before = result.triangle_face;
-    resolved = std::move(*next);
-    current = &resolved;
-  }
+  return Exit(boundary, options, context).run();
 }
 
 }  // namespace quoin

@@ -10,6 +10,7 @@
 #include "quoin/solid/brep.h"
 #include "quoin/solid/leaf_crossings.h"
 #include "quoin/solid/leaf_faces.h"
+#include "quoin/solid/leaf_orientation.h"
 #include "quoin/solid/leaf_tiles.h"
 #include "quoin/solid/leaf_twins.h"
 #include "quoin/solid/tile_edges.h"
@@ -33,6 +34,14 @@ std::vector<Point3> plain_zeros(const std::vector<Point3>& points) {
     return Point3{p.x + 0.0, p.y + 0.0, p.z + 0.0};
   });
   return result;
+}
+
+void note_isolated_vertices(const Mesh& mesh, std::size_t max_listed, MeshDiagnosis& diagnosis) {
+  std::vector<std::uint8_t> is_named(mesh.vertices.size(), 0);
+  for (const std::uint32_t v : mesh.corners) is_named[v] = 1;
+  for (std::uint32_t v = 0; v < is_named.size(); ++v) {
+    if (is_named[v] == 0) note(diagnosis.isolated_vertices, v, max_listed);
+  }
 }
 
 // Duplicates leave edges that are used too often; without such edges there is none.
@@ -102,6 +111,8 @@ void mark_flat_edges(Leaf& leaf, const Constructions& points, const Context& con
 LeafResult finish(const std::shared_ptr<Leaf>& leaf, Constructions points, LeafResult result,
                   const LeafOptions& options, const Context& context) {
   match_twins(*leaf, options.max_listed, result.diagnosis, context);
+  if (result.diagnosis.misoriented_edges.count != 0)
+    find_one_sided_bands(*leaf, options.max_listed, result.diagnosis, context);
   note_duplicates(*leaf, options.max_listed, result.diagnosis);
   mark_flat_edges(*leaf, points, context);
   leaf->tree = BoxTree(leaf->vertices, leaf->tiles, context);
@@ -127,6 +138,7 @@ LeafResult make_leaf(const Mesh& mesh, const LeafOptions& options, const Context
   Constructions points(leaf->vertices);
   context.progress("faces", 0);
   MeshTiles tiles = make_tiles(mesh, points, options.max_listed, result.diagnosis, context);
+  note_isolated_vertices(mesh, options.max_listed, result.diagnosis);
   leaf->tiles = std::move(tiles.tiles);
   leaf->tile_face = std::move(tiles.tile_face);
   return finish(leaf, std::move(points), std::move(result), options, context);

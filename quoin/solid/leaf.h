@@ -45,8 +45,11 @@ struct MeshDiagnosis {
   Finding<FacePair> duplicate_faces;        ///< same vertices, same orientation
   Finding<MeshEdge> open_edges;             ///< used more often in one direction than in the other
   Finding<MeshEdge> misoriented_edges;      ///< used twice in one direction and never in the other
-  Finding<MeshEdge> nonmanifold_edges;      ///< balanced, with more than two faces (legal)
-  Finding<FacePair> crossing_faces;         ///< meet outside their shared vertices and edges
+  Finding<std::vector<std::uint32_t>>
+      one_sided_bands;  ///< of each component that no orientation fits, a cycle of faces that turns over (Moebius band)
+  Finding<std::uint32_t> isolated_vertices;  ///< corners of no face (meshes only)
+  Finding<MeshEdge> nonmanifold_edges;       ///< balanced, with more than two faces (legal)
+  Finding<FacePair> crossing_faces;          ///< meet outside their shared vertices and edges
   Finding<std::uint32_t>
       inverted_components;  ///< a face of each connected component whose winding is not that of a solid
 

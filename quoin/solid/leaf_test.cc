@@ -212,6 +212,12 @@ Rational repaired_volume(const Mesh& mesh) {
   return volume(Solid::from_leaf(leaf.leaf, context).boundary(), context);
 }
 
+Point3 midpoint_of(const Mesh& mesh, std::uint32_t a, std::uint32_t b) {
+  const Point3& p = mesh.vertices[a];
+  const Point3& q = mesh.vertices[b];
+  return {(p.x + q.x) / 2, (p.y + q.y) / 2, (p.z + q.z) / 2};
+}
+
 TEST(Repair, TurnsFacesAndDropsWhatIsTooMuch) {
   EXPECT_TRUE(repair_mesh(shapes::cube(), context).changes.empty());
   std::mt19937_64 random(29);
@@ -229,6 +235,96 @@ TEST(Repair, TurnsFacesAndDropsWhatIsTooMuch) {
     mesh.add_face(std::array<std::uint32_t, 3>{0, 0, 1});
     EXPECT_EQ(repaired_volume(mesh), Rational(64 - 8 + 1) + Rational(1) / Rational(8)) << "repeat " << repeat;
   }
+}
+
+// The long edge of a sliver on a closed surface is one edge too many; one that joins an edge with its halves is not.
+TEST(Repair, DropsFacesOnALineWhereTheSurfaceClosesWithoutThem) {
+  Mesh loose = shapes::cube();
+  loose.vertices.push_back(midpoint_of(loose, 0, 1));
+  const auto added = static_cast<std::uint32_t>(loose.vertices.size() - 1);
+  const auto face = static_cast<std::uint32_t>(loose.face_count());
+  loose.add_face(std::array<std::uint32_t, 3>{0, 1, added});
+  EXPECT_EQ(leaf_of(loose).leaf, nullptr);
+  const RepairResult repaired = repair_mesh(loose, context);
+  ASSERT_EQ(repaired.changes.size(), 1U);
+  EXPECT_EQ(repaired.changes[0].faces, std::vector<std::uint32_t>{face});
+  EXPECT_EQ(repaired_volume(loose), Rational(1));
+  Mesh strip = loose;  // two more that hang on the first
+  strip.vertices.push_back(midpoint_of(strip, 0, added));
+  strip.add_face(std::array<std::uint32_t, 3>{0, added + 1, added});
+  strip.add_face(std::array<std::uint32_t, 3>{added, added + 1, 1});
+  EXPECT_EQ(repair_mesh(strip, context).changes.at(0).faces.size(), 3U);
+  EXPECT_EQ(repaired_volume(strip), Rational(1));
+}
+
+TEST(Repair, KeepsFacesOnALineThatJoinAnEdgeWithItsHalves) {
+  const Mesh cube = shapes::cube();
+  Mesh mesh;
+  mesh.vertices = cube.vertices;
+  mesh.vertices.push_back(midpoint_of(cube, cube.face(0)[0], cube.face(0)[1]));
+  std::vector<std::uint32_t> corners(cube.face(0).begin(), cube.face(0).end());
+  corners.insert(corners.begin() + 1, 8);
+  mesh.add_face(corners);
+  for (std::size_t f = 1; f < cube.face_count(); ++f) mesh.add_face(cube.face(f));
+  mesh.add_face(std::array<std::uint32_t, 3>{corners[2], 8, corners[0]});
+  EXPECT_NE(leaf_of(mesh).leaf, nullptr);
+  EXPECT_TRUE(repair_mesh(mesh, context).changes.empty());
+  EXPECT_EQ(repaired_volume(mesh), Rational(1));
+}
+
+// A grid whose last row is joined to its first, turned over or not (Hoffmann 1989: sphere and torus are orientable, the
+// Klein bottle is not).
+Mesh ring(bool turns_over) {
+  constexpr std::uint32_t rows = 5;
+  constexpr std::uint32_t columns = 4;
+  Mesh mesh;
+  for (std::uint32_t i = 0; i < rows; ++i) {
+    for (std::uint32_t j = 0; j < columns; ++j)
+      mesh.vertices.push_back({i * 1.0, j * 1.25, (i * i + 3 * j * j) % 7 * 1.0});
+  }
+  const auto vertex = [&](std::uint32_t i, std::uint32_t j) {
+    if (i == rows && turns_over) j = columns - j;
+    return i % rows * columns + j % columns;
+  };
+  for (std::uint32_t i = 0; i < rows; ++i) {
+    for (std::uint32_t j = 0; j < columns; ++j) {
+      mesh.add_face(std::array{vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1)});
+      mesh.add_face(std::array{vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
+    }
+  }
+  return mesh;
+}
+
+TEST(Repair, RefusesWhatNoOrientationFits) {
+  EXPECT_EQ(leaf_of(ring(false)).diagnosis.misoriented_edges.count, 0U);
+  const Mesh klein = ring(true);
+  const LeafResult leaf = leaf_of(klein);
+  EXPECT_EQ(leaf.leaf, nullptr);
+  EXPECT_EQ(leaf.diagnosis.open_edges.count, 0U);
+  ASSERT_EQ(leaf.diagnosis.one_sided_bands.count, 1U);
+  EXPECT_GE(leaf.diagnosis.one_sided_bands.elements[0].size(), 3U);
+  Mesh mesh = shapes::joined({shapes::reversed(shapes::cube()), klein});
+  const RepairResult repaired = repair_mesh(mesh, context);
+  const auto first = static_cast<std::uint32_t>(shapes::cube().face_count());
+  ASSERT_EQ(repaired.refusals.size(), 1U);
+  for (const std::uint32_t f : repaired.refusals[0].faces) EXPECT_GE(f, first);
+  ASSERT_EQ(repaired.changes.size(), 1U);
+  EXPECT_EQ(repaired.changes[0].faces.size(), first);  // the cube alone is turned
+  Mesh one_face_turned = shapes::cube();
+  std::reverse(one_face_turned.corners.begin(), one_face_turned.corners.begin() + 3);
+  EXPECT_EQ(leaf_of(one_face_turned).diagnosis.one_sided_bands.count, 0U);
+  EXPECT_TRUE(repair_mesh(one_face_turned, context).refusals.empty());
+}
+
+TEST(Leaf, VerticesOfNoFaceAreNamed) {
+  Mesh mesh = shapes::cube();
+  EXPECT_EQ(leaf_of(mesh).diagnosis.isolated_vertices.count, 0U);
+  const auto added = static_cast<std::uint32_t>(mesh.vertices.size());
+  mesh.vertices.push_back({7, 7, 7});
+  mesh.vertices.push_back({8, 7, 7});
+  const LeafResult result = leaf_of(mesh);
+  EXPECT_NE(result.leaf, nullptr);
+  EXPECT_EQ(result.diagnosis.isolated_vertices.elements, (std::vector<std::uint32_t>{added, added + 1}));
 }
 
 }  // namespace

@@ -9,8 +9,10 @@
 #include "quoin/base/disjoint_sets.h"
 #include "quoin/base/error.h"
 #include "quoin/solid/leaf.h"
+#include "quoin/solid/one_sided_bands.h"
 #include "quoin/solid/overlay/winding.h"
 #include "quoin/solid/repair_duplicates.h"
+#include "quoin/solid/repair_slivers.h"
 
 namespace quoin {
 
@@ -23,9 +25,9 @@ class MeshRepair {
   RepairResult run() {
     drop_degenerate_faces();
     drop_superfluous_faces();
+    drop_superfluous_slivers();
     context_.poll();
     gather_edges();
-    link_faces();
     agree_with_neighbours();
     join_open_components();
     face_outward();
@@ -63,12 +65,27 @@ class MeshRepair {
     const SuperfluousFaces superfluous = find_superfluous_faces(faces_, context_);
     report("duplicate faces dropped", sources(superfluous.duplicates));
     report("faces dropped that lie back to back", sources(superfluous.balanced));
-    std::vector<bool> gone(faces_.size(), false);
-    for (const std::uint32_t f : superfluous.duplicates) gone[f] = true;
-    for (const std::uint32_t f : superfluous.balanced) gone[f] = true;
+    drop(superfluous.duplicates);
+    drop(superfluous.balanced);
+    remove_dropped();
+  }
+
+  void drop_superfluous_slivers() {
+    const std::vector<std::uint32_t> slivers = find_superfluous_slivers(mesh_.vertices, faces_, context_);
+    report("faces dropped whose corners lie on a line", sources(slivers));
+    drop(slivers);
+    remove_dropped();
+  }
+
+  // Leaves a face without corners, which no other is.
+  void drop(std::span<const std::uint32_t> faces) {
+    for (const std::uint32_t f : faces) faces_[f].clear();
+  }
+
+  void remove_dropped() {
     std::size_t kept = 0;
     for (std::size_t f = 0; f < faces_.size(); ++f) {
-      if (gone[f]) continue;
+      if (faces_[f].empty()) continue;
       if (kept != f) faces_[kept] = std::move(faces_[f]);
       source_[kept++] = source_[f];
     }
@@ -112,45 +129,28 @@ class MeshRepair {
     }
   }
 
-  struct Neighbour {
-    std::uint32_t face;
-    bool agrees;
-  };
-
-  void link_faces() {
-    neighbours_.resize(faces_.size());
+  std::vector<FaceLink> links() const {
+    std::vector<FaceLink> result;
     for_each_edge([&](std::span<const Use> at) {
-      if (at.size() != 2) return;
-      const bool agrees = at[0].forward != at[1].forward;
-      neighbours_[at[0].face].push_back({at[1].face, agrees});
-      neighbours_[at[1].face].push_back({at[0].face, agrees});
+      if (at.size() == 2) result.push_back({at[0].face, at[1].face, at[0].forward != at[1].forward});
     });
+    return result;
   }
 
+  // Each component goes the way of most of its faces; one that no orientation fits stays as it is.
   void agree_with_neighbours() {
+    Orientation orientation = orient_faces(faces_.size(), links(), context_);
+    component_ = std::move(orientation.component);
+    component_count_ = orientation.component_count;
+    std::vector<std::ptrdiff_t> excess(component_count_, 0);  // of turned faces over others
+    for (std::size_t f = 0; f < faces_.size(); ++f) excess[component_[f]] += orientation.is_reversed[f] != 0 ? 1 : -1;
     reversed_.assign(faces_.size(), false);
-    component_.assign(faces_.size(), overlay::none);
-    std::vector<std::uint32_t> members;
-    for (std::uint32_t seed = 0; seed < faces_.size(); ++seed) {
-      if (component_[seed] != overlay::none) continue;
-      component_[seed] = component_count_;
-      members.assign(1, seed);
-      std::size_t turned = 0;
-      for (std::size_t i = 0; i < members.size(); ++i) {
-        const std::uint32_t f = members[i];
-        turned += reversed_[f] ? 1 : 0;
-        for (const Neighbour& n : neighbours_[f]) {
-          if (component_[n.face] != overlay::none) continue;
-          component_[n.face] = component_count_;
-          reversed_[n.face] = reversed_[f] != !n.agrees;
-          members.push_back(n.face);
-        }
-      }
-      if (2 * turned > members.size()) {
-        for (const std::uint32_t f : members) reversed_[f] = !reversed_[f];
-      }
-      ++component_count_;
+    for (std::size_t f = 0; f < faces_.size(); ++f) {
+      const std::uint32_t c = component_[f];
+      if (orientation.is_one_sided[c] == 0) reversed_[f] = (orientation.is_reversed[f] != 0) != (excess[c] > 0);
     }
+    for (const std::vector<std::uint32_t>& band : orientation.one_sided_bands)
+      result_.refusals.push_back({"faces in a cycle that turns over: no orientation fits", sources(band)});
   }
 
   // Components that do not close by themselves and meet in edges of more than two faces become one.
@@ -272,7 +272,6 @@ class MeshRepair {
   std::vector<std::vector<std::uint32_t>> faces_;
   std::vector<std::uint32_t> source_;
   std::vector<Use> uses_;  // by edge
-  std::vector<std::vector<Neighbour>> neighbours_;
   std::vector<bool> reversed_;
   std::vector<std::uint32_t> component_;
   std::uint32_t component_count_ = 0;

@@ -519,7 +519,7 @@ TEST(Exit, NearlyCoincidentCubesAreSnappedUntilNothingCrosses) {
       expect_valid(s);
       const Triangulated t = triangulate_boundary(s.boundary(), {}, one_thread);
       SCOPED_TRACE(testing::Message() << "angle " << angle << " union " << is_union << " rounds " << t.rounds);
-      ASSERT_EQ(t.rounding, Rounding::certified);
+      ASSERT_LE(t.rounding, Rounding::changed);
       snapped += t.rounds > 0 ? 1 : 0;
       Mesh mesh;
       mesh.vertices = t.vertices;
@@ -528,8 +528,14 @@ TEST(Exit, NearlyCoincidentCubesAreSnappedUntilNothingCrosses) {
       ASSERT_NE(leaf.leaf, nullptr);
       EXPECT_EQ(leaf.diagnosis.crossing_faces.count, 0U);
       EXPECT_EQ(leaf.diagnosis.degenerate_faces.count, 0U);
-      EXPECT_NEAR(rounded_volume(Solid::from_leaf(leaf.leaf, one_thread).boundary(), one_thread),
-                  rounded_volume(s.boundary(), one_thread), 24 * t.max_displacement);
+      const Solid back = Solid::from_leaf(leaf.leaf, one_thread);
+      EXPECT_NEAR(rounded_volume(back.boundary(), one_thread), rounded_volume(s.boundary(), one_thread),
+                  24 * t.max_displacement);
+      const bool has_same_parts = topology_of(back.boundary()).has_parts_of(topology_of(s.boundary()));
+      EXPECT_EQ(t.rounding <= Rounding::certified, has_same_parts);
+      if (t.rounds > 0) {
+        EXPECT_EQ(t.topology_after, topology_of(back.boundary()));
+      }
     }
   }
   EXPECT_GT(snapped, 4U);

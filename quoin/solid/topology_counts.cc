@@ -73,4 +73,19 @@ TopologyCounts count_topology(const Brep& boundary) {
   return counts;
 }
 
+Topology topology_of(const Brep& boundary) {
+  const TopologyCounts counts = count_topology(boundary);
+  Topology topology;
+  topology.components = boundary.component_count;
+  topology.shells = boundary.shells.size();
+  topology.voids = static_cast<std::size_t>(
+      std::count_if(boundary.shells.begin(), boundary.shells.end(), [](const Shell& shell) { return shell.is_void; }));
+  topology.is_manifold = counts.is_manifold();
+  if (topology.is_manifold) {
+    const std::size_t left = counts.edges + counts.loops + 2 * topology.shells - counts.vertices - 2 * counts.faces;
+    topology.handles = left / 2;
+  }
+  return topology;
+}
+
 }  // namespace quoin

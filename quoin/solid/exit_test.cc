@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quoin/solid/exit.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <random>
+#include <vector>
+
+#include "quoin/solid/measure.h"
+#include "quoin/solid/shapes.h"
+#include "quoin/solid/solid.h"
+
+namespace quoin {
+namespace {
+
+const Context one_thread({.threads = 1});
+
+Solid solid(const Mesh& mesh) {
+  const LeafResult result = make_leaf(mesh, {}, one_thread);
+  EXPECT_NE(result.leaf, nullptr);
+  return Solid::from_leaf(result.leaf, one_thread);
+}
+
+Triangulated singles(const Solid& s) {
+  ExitOptions options;
+  options.precision = Precision::binary32;
+  return triangulate_boundary(s.boundary(), options, one_thread);
+}
+
+Mesh mesh_of(const Triangulated& t) {
+  Mesh mesh;
+  mesh.vertices = t.vertices;
+  for (const Tile& tile : t.triangles) mesh.add_face(tile);
+  return mesh;
+}
+
+Mesh tetrahedron(const std::array<Point3, 4>& corners) {
+  Mesh mesh;
+  mesh.vertices.assign(corners.begin(), corners.end());
+  for (const Tile& t : {Tile{0, 2, 1}, Tile{0, 1, 3}, Tile{1, 2, 3}, Tile{2, 0, 3}}) mesh.add_face(t);
+  return mesh;
+}
+
+TEST(Exit, WhatVanishesIsNotCertified) {
+  for (const Mesh& mesh :
+       {shapes::box({1e9, 1e9, 1e9}, {1e9 + 1, 1e9 + 1, 1e9 + 1}), shapes::box({0, 0, 1}, {1, 1, 1 + 1e-9})}) {
+    const Triangulated t = singles(solid(mesh));
+    EXPECT_EQ(t.rounding, Rounding::changed);
+    EXPECT_TRUE(t.triangles.empty());
+    EXPECT_EQ(t.topology_before.components, 1U);
+    EXPECT_EQ(t.topology_after.components, 0U);
+    ASSERT_NE(t.resolved, nullptr);
+    EXPECT_EQ(t.resolved->face_count(), 0U);
+    EXPECT_EQ(triangulate_boundary(solid(mesh).boundary(), {}, one_thread).rounding, Rounding::exact);
+  }
+}
+
+TEST(Exit, WhatFusesIsNotCertified) {
+  const Solid near = solid(shapes::joined({shapes::cube(), shapes::box({1 + 1e-9, 0, 0}, {2, 1, 1})}));
+  const Triangulated fused = singles(near);
+  EXPECT_EQ(fused.rounding, Rounding::changed);
+  EXPECT_EQ(fused.topology_before.components, 2U);
+  EXPECT_EQ(fused.topology_after.components, 1U);
+  const Solid hollow =
+      solid(shapes::joined({shapes::cube(), shapes::reversed(shapes::box({0.5, 0.5, 0.5}, {0.5 + 1e-9, 0.75, 0.75}))}));
+  const Triangulated filled = singles(hollow);
+  EXPECT_EQ(filled.rounding, Rounding::changed);
+  EXPECT_EQ(filled.topology_before.voids, 1U);
+  EXPECT_EQ(filled.topology_after.voids, 0U);
+}
+
+TEST(Exit, TunnelsThatCloseAreNotCertified) {
+  const Solid block = solid(shapes::cube());
+  const Solid slit = solid(shapes::box({0.25, 0.5, -1}, {0.75, 0.5 + 1e-9, 2}));
+  const Triangulated t = singles(subtract(block, {&slit, 1}, one_thread));
+  EXPECT_EQ(t.rounding, Rounding::changed);
+  EXPECT_EQ(t.topology_before.handles, 1U);
+  EXPECT_EQ(t.topology_after.handles, 0U);
+}
+
+// Thinner than the spacing of singles, tetrahedra keep their volume's sign, turn inside out or go flat. None crosses
+// itself in the first two cases.
+TEST(Exit, ShellsThatTurnInsideOutAreNotCertified) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> unit(0, 1);
+  std::size_t changed = 0;
+  std::size_t kept = 0;
+  for (int repeat = 0; repeat < 60; ++repeat) {
+    std::array<Point3, 4> p{Point3{0.1, 0.1, unit(random)}, {1.1, 0.1, unit(random)}, {0.1, 1.1, unit(random)}, {}};
+    for (std::size_t k = 0; k < 3; ++k) p[3][k] = (p[0][k] + p[1][k] + p[2][k]) / 3;
+    p[3].z += 1e-8;
+    const Triangulated t = singles(solid(tetrahedron(p)));
+    SCOPED_TRACE(testing::Message() << "repeat " << repeat);
+    ASSERT_TRUE(t.rounding == Rounding::certified || t.rounding == Rounding::changed);
+    const Mesh mesh = mesh_of(t);
+    const double volume = mesh.face_count() == 0 ? 0 : rounded_volume(solid(mesh).boundary(), one_thread);
+    EXPECT_EQ(t.rounding == Rounding::certified, volume > 0);
+    (volume > 0 ? kept : changed) += 1;
+  }
+  EXPECT_GT(kept, 5U);
+  EXPECT_GT(changed, 5U);
+}
+
+// A small body in front of a large slanting face ends up behind it, without crossing it.
+TEST(Exit, BodiesThatComeToLieInOthersAreNotCertified) {
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> unit(0, 1);
+  std::size_t swallowed = 0;
+  for (int repeat = 0; repeat < 40; ++repeat) {
+    const double scale = 1 << 20;
+    const double left_z = unit(random);
+    const double right_z = unit(random);
+    const std::array<Point3, 4> large{
+        Point3{-scale, -scale, left_z}, {scale, -scale, right_z}, {0, scale, -(left_z + right_z) / 2}, {0, 0, -scale}};
+    const double z = 1e-10;
+    const double e = 0x1p-34;
+    const std::array<Point3, 4> small{Point3{0, 0, z}, {e, 0, z}, {0, e, z}, {0, 0, z + e}};
+    const Solid both = solid(shapes::joined({shapes::reversed(tetrahedron(large)), tetrahedron(small)}));
+    ASSERT_EQ(both.boundary().component_count, 2U);
+    const Triangulated t = singles(both);
+    const Mesh mesh = mesh_of(t);
+    const std::size_t left = solid(mesh).boundary().component_count;
+    EXPECT_EQ(t.rounding == Rounding::certified, left == 2U) << "repeat " << repeat;
+    swallowed += left == 1 ? 1 : 0;
+  }
+  EXPECT_GT(swallowed, 0U);
+}
+
+std::vector<std::size_t> polygon_sizes(const Solid& s, Precision precision) {
+  ExitOptions options;
+  options.precision = precision;
+  options.keep_polygons = true;
+  const FacePolygons polygons = triangulate_boundary(s.boundary(), options, one_thread).polygons;
+  std::vector<std::size_t> sizes;
+  for (std::size_t i = 1; i < polygons.begin.size(); ++i) sizes.push_back(polygons.begin[i] - polygons.begin[i - 1]);
+  std::sort(sizes.begin(), sizes.end());
+  return sizes;
+}
+
+TEST(Exit, PlanarFacesWithoutHolesStayPolygons) {
+  using Sizes = std::vector<std::size_t>;
+  const Solid cube = solid(shapes::cube());
+  EXPECT_EQ(polygon_sizes(cube, Precision::binary64), Sizes(6, 4));
+  const Solid corner = solid(shapes::box({0.5, 0.5, -1}, {2, 2, 2}));
+  EXPECT_EQ(polygon_sizes(subtract(cube, {&corner, 1}, one_thread), Precision::binary64),
+            (Sizes{4, 4, 4, 4, 4, 4, 6, 6}));
+  const Solid drill = solid(shapes::box({0.25, 0.25, 0.5}, {0.75, 0.75, 2}));
+  EXPECT_EQ(polygon_sizes(subtract(cube, {&drill, 1}, one_thread), Precision::binary64), Sizes(10, 4));
+}
+
+// Rounding leaves the faces of a box planar, not those of a turned one.
+TEST(Exit, FacesThatRoundingBendsAreTriangulated) {
+  EXPECT_EQ(polygon_sizes(solid(shapes::box({0.1, 0.1, 0.1}, {0.7, 0.7, 0.7})), Precision::binary32).size(), 6U);
+  const Mesh turned = shapes::rotated(shapes::rotated(shapes::cube(), shapes::Axis::x, 0.3), shapes::Axis::y, 0.7);
+  EXPECT_LT(polygon_sizes(solid(turned), Precision::binary32).size(), 6U);
+}
+
+}  // namespace
+}  // namespace quoin
