@@ -43,7 +43,7 @@ constexpr unsigned previous_axis(unsigned axis) {
 
 inline Integer shifted(const Decoded& d, int lo) {
   const int shift = d.exponent - lo;
-  const Integer mantissa(d.mantissa);
+  Integer mantissa(d.mantissa);
   if (d.mantissa == 0) return mantissa;
   return shift >= 0 ? mantissa << static_cast<std::size_t>(shift) : mantissa >> static_cast<std::size_t>(-shift);
 }

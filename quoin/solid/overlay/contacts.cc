@@ -167,7 +167,7 @@ class PairOfFacets {
     return span.along_edge ? edge_between(facet[span.edge], facet[next(span.edge)]) : Edge{none, none};
   }
 
-  Edge edge_of(const Corners& facet, Place place) const {
+  static Edge edge_of(const Corners& facet, Place place) {
     return edge_between(facet[place.index], facet[next(place.index)]);
   }
 
