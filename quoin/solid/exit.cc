@@ -119,7 +119,7 @@ class Exit {
     for (unsigned round = 0;; ++round) {
       result_.rounds = round;
       round_and_triangulate();
-      if (holds()) return finish(rounding_that_holds());
+      if (holds() || holds_triangulated_exactly()) return finish(rounding_that_holds());
       if (round == options_.max_rounds || !snap(round)) return finish(Rounding::failed);
     }
   }
@@ -127,7 +127,7 @@ class Exit {
  private:
   void round_and_triangulate() {
     positions_ = round_points(*current_, options_.precision, context_);
-    FaceTriangles faces = triangulate_faces(*current_, positions_.points, context_);
+    FaceTriangles faces = triangulate_faces(*current_, positions_.points, positions_.moved, context_);
     result_.triangles = std::move(faces.triangles);
     result_.triangle_face = std::move(faces.triangle_face);
     failed_faces_ = std::move(faces.failed_faces);
@@ -138,17 +138,42 @@ class Exit {
   // Whether the triangles bound what the current boundary does, but for the coordinates.
   bool holds() {
     result_.crossings.clear();
-    const auto find_named = [&] { is_named_ = named_points(result_.triangles, positions_.points.size()); };
     if (positions_.moved_count == 0 && failed_faces_.empty()) {
-      find_named();
+      is_named_ = named_points(result_.triangles, positions_.points.size());
       return true;
     }
-    run_both(context_, find_named, [&] {
-      result_.crossings = find_crossings(positions_.points, result_.triangles, positions_.moved, context_);
-    });
+    bool is_evident = false;
+    run_both(
+        context_,
+        [&] {
+          is_named_ = named_points(result_.triangles, positions_.points.size());
+          is_evident =
+              are_sides_evident(*current_, positions_.points, result_.triangles, result_.triangle_face, context_);
+        },
+        [&] { result_.crossings = find_crossings(positions_.points, result_.triangles, positions_.moved, context_); });
     add_failed_faces();
-    return result_.crossings.empty() &&
-           are_sides_kept(*current_, positions_.points, result_.triangles, result_.triangle_face, context_);
+    return result_.crossings.empty() && (is_evident || are_sides_kept(*current_, positions_.points, result_.triangles,
+                                                                      result_.triangle_face, context_));
+  }
+
+  // The faces whose triangles cross once more, without triangles of vertices that lie on one line before rounding.
+  bool holds_triangulated_exactly() {
+    std::vector<std::uint32_t> faces;
+    for (const TilePair& pair : result_.crossings) {
+      faces.push_back(result_.triangle_face[pair.a]);
+      faces.push_back(result_.triangle_face[pair.b]);
+    }
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    const Triangulated before = result_;
+    const std::vector<std::uint32_t> failed = std::exchange(failed_faces_, {});
+    if (!faces.empty() && triangulate_exactly(*current_, faces, result_.triangles, result_.triangle_face, context_) &&
+        holds()) {
+      return true;
+    }
+    result_ = before;
+    failed_faces_ = failed;
+    return false;
   }
 
   // A face whose outline is not simple counts as crossing itself.

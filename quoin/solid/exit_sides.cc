@@ -78,18 +78,29 @@ class SideCheck {
             std::span<const std::uint32_t> triangle_face, const Context& context)
       : b_(boundary), positions_(positions), triangles_(triangles), triangle_face_(triangle_face), context_(context) {}
 
-  bool run() { return is_plain() || have_right_windings(); }
-
- private:
-  std::uint32_t shell(std::size_t t) const { return b_.face_shells[triangle_face_[t]]; }
-
-  bool is_plain() const {
+  bool is_evident() const {
     const std::vector<Bulk> shells = bulks();
     for (std::size_t s = 0; s < shells.size(); ++s) {
       if (!shells[s].has_sign(b_.shells[s].is_void, 3 * triangles_.size())) return false;
     }
     return are_boxes_disjoint(shells);
   }
+
+  bool have_right_windings() const {
+    Mesh mesh;
+    mesh.vertices = positions_;
+    for (Tile t : triangles_) {
+      if (b_.is_unbounded) std::swap(t[1], t[2]);
+      mesh.add_face(t);
+    }
+    LeafResult result = make_leaf(mesh, {.max_listed = 0, .find_crossings = false}, context_);
+    if (!result.leaf) return false;
+    find_inverted_components(result.leaf, Constructions(result.leaf->vertices), 0, result.diagnosis, context_);
+    return result.diagnosis.inverted_components.count == 0;
+  }
+
+ private:
+  std::uint32_t shell(std::size_t t) const { return b_.face_shells[triangle_face_[t]]; }
 
   std::vector<Bulk> bulks() const {
     const std::vector<std::uint32_t> references = first_vertices();
@@ -124,19 +135,6 @@ class SideCheck {
     return first;
   }
 
-  bool have_right_windings() const {
-    Mesh mesh;
-    mesh.vertices = positions_;
-    for (Tile t : triangles_) {
-      if (b_.is_unbounded) std::swap(t[1], t[2]);
-      mesh.add_face(t);
-    }
-    LeafResult result = make_leaf(mesh, {.max_listed = 0, .find_crossings = false}, context_);
-    if (!result.leaf) return false;
-    find_inverted_components(result.leaf, Constructions(result.leaf->vertices), 0, result.diagnosis, context_);
-    return result.diagnosis.inverted_components.count == 0;
-  }
-
   const Brep& b_;
   const std::vector<Point3>& positions_;
   std::span<const Tile> triangles_;
@@ -148,7 +146,13 @@ class SideCheck {
 
 bool are_sides_kept(const Brep& boundary, const std::vector<Point3>& positions, std::span<const Tile> triangles,
                     std::span<const std::uint32_t> triangle_face, const Context& context) {
-  return SideCheck(boundary, positions, triangles, triangle_face, context).run();
+  const SideCheck check(boundary, positions, triangles, triangle_face, context);
+  return check.is_evident() || check.have_right_windings();
+}
+
+bool are_sides_evident(const Brep& boundary, const std::vector<Point3>& positions, std::span<const Tile> triangles,
+                       std::span<const std::uint32_t> triangle_face, const Context& context) {
+  return SideCheck(boundary, positions, triangles, triangle_face, context).is_evident();
 }
 
 }  // namespace quoin

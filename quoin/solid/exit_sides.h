@@ -19,4 +19,9 @@ namespace quoin {
 bool are_sides_kept(const Brep& boundary, const std::vector<Point3>& positions, std::span<const Tile> triangles,
                     std::span<const std::uint32_t> triangle_face, const Context& context);
 
+/// The first and cheap part of that: true only where the signs of the shells' volumes, and boxes that are apart, show
+/// it. O(n).
+bool are_sides_evident(const Brep& boundary, const std::vector<Point3>& positions, std::span<const Tile> triangles,
+                       std::span<const std::uint32_t> triangle_face, const Context& context);
+
 }  // namespace quoin

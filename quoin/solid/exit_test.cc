@@ -8,6 +8,7 @@
 #include <random>
 #include <vector>
 
+#include "quoin/kernel/predicates3.h"
 #include "quoin/solid/measure.h"
 #include "quoin/solid/shapes.h"
 #include "quoin/solid/solid.h"
@@ -137,6 +138,48 @@ std::vector<std::size_t> polygon_sizes(const Solid& s, Precision precision) {
   for (std::size_t i = 1; i < polygons.begin.size(); ++i) sizes.push_back(polygons.begin[i] - polygons.begin[i - 1]);
   std::sort(sizes.begin(), sizes.end());
   return sizes;
+}
+
+// Corners of a small grid, so that vertices, edges and faces often touch and vertices often lie on one line. What
+// leaves is read again as an operand that does not cross itself, with the same volume but for the rounding.
+TEST(Exit, TetrahedraOnSmallGridsLeaveWithoutSnapping) {
+  std::mt19937_64 random(41);
+  std::size_t snapped = 0;
+  std::size_t made = 0;
+  for (int repeat = 0; repeat < 400; ++repeat) {
+    const int grid = 3 + repeat % 3;
+    const auto draw = [&] {
+      for (;;) {
+        std::array<Point3, 4> p;
+        for (Point3& q : p) {
+          for (std::size_t k = 0; k < 3; ++k) q[k] = static_cast<double>(random() % static_cast<unsigned>(grid));
+        }
+        const Sign sign = orientation(p[0], p[1], p[2], p[3]);
+        if (sign == Sign::zero) continue;
+        if (sign == Sign::positive) std::swap(p[0], p[1]);
+        const LeafResult leaf = make_leaf(tetrahedron(p), {}, one_thread);
+        if (leaf.leaf && leaf.diagnosis.inverted_components.count == 0) return Solid::from_leaf(leaf.leaf, one_thread);
+        std::swap(p[0], p[1]);
+        return solid(tetrahedron(p));
+      }
+    };
+    const Solid a = draw();
+    const Solid b = draw();
+    for (const Solid& result : {unite(std::array{a, b}, one_thread), intersect(std::array{a, b}, one_thread),
+                                subtract(a, {&b, 1}, one_thread), symmetric_difference(std::array{a, b}, one_thread)}) {
+      const Triangulated t = triangulate_boundary(result.boundary(), {}, one_thread);
+      SCOPED_TRACE(testing::Message() << "repeat " << repeat << " result " << made % 4);
+      ++made;
+      EXPECT_LE(t.rounding, Rounding::certified);
+      snapped += t.rounds > 0 ? 1 : 0;
+      const LeafResult again = make_leaf(mesh_of(t), {}, one_thread);
+      ASSERT_NE(again.leaf, nullptr);
+      EXPECT_EQ(again.diagnosis.crossing_faces.count, 0U);
+      EXPECT_NEAR(rounded_volume(Solid::from_leaf(again.leaf, one_thread).boundary(), one_thread),
+                  rounded_volume(result.boundary(), one_thread), 1e-9);
+    }
+  }
+  EXPECT_EQ(snapped, 0U) << "of " << made;
 }
 
 TEST(Exit, PlanarFacesWithoutHolesStayPolygons) {

@@ -2,6 +2,7 @@
 #include "quoin/solid/exit_triangulation.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "quoin/base/parallel.h"
 #include "quoin/kernel/projection.h"
@@ -26,8 +27,9 @@ Projection projection_of(const Constructions& table, const std::array<PointId, 3
 
 class FaceTriangulator {
  public:
-  FaceTriangulator(const Brep& boundary, std::span<const Point3> positions, FaceTriangles& out)
-      : boundary_(boundary), positions_(positions), out_(out) {}
+  FaceTriangulator(const Brep& boundary, std::span<const Point3> positions, std::span<const std::uint8_t> moved,
+                   FaceTriangles& out)
+      : boundary_(boundary), positions_(positions), moved_(moved), out_(out) {}
 
   void run(std::uint32_t face) {
     const std::uint32_t first_loop = boundary_.face_first_loop[face];
@@ -52,13 +54,7 @@ class FaceTriangulator {
  private:
   // A triangle needs no projection where no vertex has moved from where it is exactly: its area is not zero.
   bool add_triangle(std::uint32_t face, std::span<const PointId> loop) {
-    const std::size_t explicit_count = boundary_.points.explicit_count();
-    for (const PointId p : loop) {
-      if (p.value >= explicit_count || positions_[p.value] != boundary_.points.rounded(p) ||
-          !boundary_.points.is_exact(p)) {
-        return false;
-      }
-    }
+    if ((moved_[loop[0].value] | moved_[loop[1].value] | moved_[loop[2].value]) != 0) return false;
     out_.triangles.push_back({loop[0].value, loop[1].value, loop[2].value});
     out_.triangle_face.push_back(face);
     return true;
@@ -101,6 +97,7 @@ class FaceTriangulator {
 
   const Brep& boundary_;
   std::span<const Point3> positions_;
+  std::span<const std::uint8_t> moved_;
   FaceTriangles& out_;
   std::vector<std::uint32_t> ids_;
   std::vector<Point2> points_;
@@ -111,13 +108,14 @@ class FaceTriangulator {
 
 }  // namespace
 
-FaceTriangles triangulate_faces(const Brep& boundary, std::span<const Point3> positions, const Context& context) {
+FaceTriangles triangulate_faces(const Brep& boundary, std::span<const Point3> positions,
+                                std::span<const std::uint8_t> moved, const Context& context) {
   constexpr std::size_t grain = 4096;
   std::vector<FaceTriangles> parts(chunk_count(boundary.face_count(), grain));
   for_each_chunk(context, boundary.face_count(), grain, [&](const Chunk& chunk) {
     parts[chunk.index].triangles.reserve(chunk.end - chunk.begin);
     parts[chunk.index].triangle_face.reserve(chunk.end - chunk.begin);
-    FaceTriangulator triangulator(boundary, positions, parts[chunk.index]);
+    FaceTriangulator triangulator(boundary, positions, moved, parts[chunk.index]);
     for (std::size_t f = chunk.begin; f < chunk.end; ++f) {
       if (f % 256 == 0) context.poll();
       triangulator.run(static_cast<std::uint32_t>(f));
@@ -141,6 +139,65 @@ FaceTriangles triangulate_faces(const Brep& boundary, std::span<const Point3> po
     part = {};
   });
   return all;
+}
+
+namespace {
+
+// Over a table of its own that holds the face's vertices as rationals. Nothing where the face is no polygon.
+bool triangulate_exactly(const Brep& boundary, std::uint32_t face, std::vector<Tile>& out) {
+  std::vector<std::uint32_t> ids;
+  for (std::uint32_t l = boundary.face_first_loop[face]; l < boundary.face_first_loop[face + 1]; ++l) {
+    for (const PointId p : boundary.loop(l)) ids.push_back(p.value);
+  }
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  std::vector<RationalPoint3> exact;
+  std::vector<PointId> points;
+  for (const std::uint32_t id : ids) {
+    exact.push_back(boundary.points.exact(PointId{id}));
+    points.push_back(PointId{points.size()});
+  }
+  std::vector<std::uint32_t> loop_points;
+  std::vector<std::uint32_t> loop_begin{0};
+  for (std::uint32_t l = boundary.face_first_loop[face]; l < boundary.face_first_loop[face + 1]; ++l) {
+    for (const PointId p : boundary.loop(l)) {
+      const auto at = std::lower_bound(ids.begin(), ids.end(), p.value);
+      loop_points.push_back(static_cast<std::uint32_t>(at - ids.begin()));
+    }
+    loop_begin.push_back(static_cast<std::uint32_t>(loop_points.size()));
+  }
+  const auto& [a, b, c] = boundary.face_planes[face];
+  const unsigned axis = projection_axis(boundary.points, a, b, c);
+  const PolygonView view{axis, boundary.points.turn(a, b, c, axis) == Sign::positive};
+  std::vector<PolygonTriangle> triangles;
+  const Constructions table(std::move(exact));
+  if (!triangulate_polygon(table, points, view, loop_points, loop_begin, triangles)) return false;
+  for (const PolygonTriangle& t : triangles) out.push_back({ids[t[0]], ids[t[1]], ids[t[2]]});
+  return true;
+}
+
+}  // namespace
+
+bool triangulate_exactly(const Brep& boundary, std::span<const std::uint32_t> faces, std::vector<Tile>& triangles,
+                         std::vector<std::uint32_t>& triangle_face, const Context& context) {
+  std::vector<Tile> result;
+  std::vector<std::uint32_t> result_face;
+  std::size_t t = 0;
+  for (const std::uint32_t face : faces) {
+    context.poll();
+    for (; t < triangles.size() && triangle_face[t] < face; ++t) {
+      result.push_back(triangles[t]);
+      result_face.push_back(triangle_face[t]);
+    }
+    while (t < triangles.size() && triangle_face[t] == face) ++t;
+    if (!triangulate_exactly(boundary, face, result)) return false;
+    result_face.resize(result.size(), face);
+  }
+  result.insert(result.end(), triangles.begin() + static_cast<std::ptrdiff_t>(t), triangles.end());
+  result_face.insert(result_face.end(), triangle_face.begin() + static_cast<std::ptrdiff_t>(t), triangle_face.end());
+  triangles = std::move(result);
+  triangle_face = std::move(result_face);
+  return true;
 }
 
 }  // namespace quoin

@@ -18,7 +18,17 @@ struct FaceTriangles {
                                             ///< its loops, which closes the surface but may fold over
 };
 
-/// Triangulates each face in the projection along the largest component of its exact normal. Parallel over faces.
-FaceTriangles triangulate_faces(const Brep& boundary, std::span<const Point3> positions, const Context& context);
+/// Triangulates each face in the projection along the largest component of its exact normal. `moved` is 0 for the
+/// vertices whose position is where they are exactly. Parallel over faces.
+FaceTriangles triangulate_faces(const Brep& boundary, std::span<const Point3> positions,
+                                std::span<const std::uint8_t> moved, const Context& context);
+
+/// Triangulates the faces (ascending) anew, in the exact positions of their vertices, and puts the triangles in place
+/// of theirs; false, and nothing changed, where one of them bounds no polygon.
+///
+/// Vertices on one line before rounding then make no triangle, which after rounding might stand out of its face; but
+/// triangles that have area before rounding may turn over. O(n log n) rational operations for n corners.
+bool triangulate_exactly(const Brep& boundary, std::span<const std::uint32_t> faces, std::vector<Tile>& triangles,
+                         std::vector<std::uint32_t>& triangle_face, const Context& context);
 
 }  // namespace quoin
