@@ -4,6 +4,7 @@
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/parallel_invoke.h>
 #include <oneapi/tbb/task_arena.h>
+#include <oneapi/tbb/task_group.h>
 
 #include <algorithm>
 
@@ -12,6 +13,9 @@
 namespace quoin {
 
 namespace {
+
+// Isolated: work nested in a task whose sibling throws would otherwise stop early and return as if it were done.
+using Group = oneapi::tbb::task_group_context;
 
 // Inside a task of the same arena nested calls share its threads.
 bool inside_arena() {
@@ -46,7 +50,8 @@ void for_each_chunk(const Context& context, std::size_t count, std::size_t grain
     const ForkedTask forked(fork_join);
     run(index);
   };
-  in_arena(context, [&] { oneapi::tbb::parallel_for(std::size_t{0}, chunks, task); });
+  Group group(Group::isolated);
+  in_arena(context, [&] { oneapi::tbb::parallel_for(std::size_t{0}, chunks, task, group); });
 }
 
 void run_both(const Context& context, const std::function<void()>& first, const std::function<void()>& second) {
@@ -60,7 +65,8 @@ void run_both(const Context& context, const std::function<void()>& first, const 
     const ForkedTask forked(fork_join);
     work();
   };
-  in_arena(context, [&] { oneapi::tbb::parallel_invoke([&] { task(first); }, [&] { task(second); }); });
+  Group group(Group::isolated);
+  in_arena(context, [&] { oneapi::tbb::parallel_invoke([&] { task(first); }, [&] { task(second); }, group); });
 }
 
 }  // namespace quoin

@@ -22,11 +22,12 @@ constexpr std::size_t chunk_count(std::size_t count, std::size_t grain) {
 
 /// Calls `body` once per chunk of `grain` elements of [0, count), on at most context.threads() threads, and polls the
 /// context before each chunk. The chunks do not depend on the number of threads: results written per chunk and
-/// concatenated in chunk order are the same bytes on any machine. The first exception thrown is rethrown here.
+/// concatenated in chunk order are the same bytes on any machine. The first exception thrown is rethrown here; without
+/// one, all chunks were done.
 void for_each_chunk(const Context& context, std::size_t count, std::size_t grain,
                     const std::function<void(const Chunk&)>& body);
 
-/// Runs both on at most context.threads() threads.
+/// Runs both on at most context.threads() threads. The first exception thrown is rethrown here.
 void run_both(const Context& context, const std::function<void()>& first, const std::function<void()>& second);
 
 }  // namespace quoin
