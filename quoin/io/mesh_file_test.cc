@@ -188,6 +188,26 @@ TEST(MeshFile, WhatIsNoStatementOfObjIsRefused) {
   expect_refused(std::string(triangle_obj) + "\x01\x02\n", "a.obj", "a.obj:5: '?\?'");
 }
 
+// What stands behind the values of an element is another value, or nothing that is known.
+TEST(MeshFile, LinesThatGoOnAreRefused) {
+  for (const char* line :
+       {"v 0 0 1 junk", "v 0 0 1 0,5", "v 0 0 1 1 2", "v 1 0 0 junk stuff more", "v 1 2 3 4 5 6 7 8 9"}) {
+    expect_refused(std::string(triangle_obj) + line + "\n", "a.obj", "a.obj:5");
+  }
+  const MeshFile weighted = read_mesh(std::string(triangle_obj) + "v 0 0 1 0.5\n", "a.obj", {}, context);
+  ASSERT_FALSE(weighted.report.warnings.empty());
+  EXPECT_NE(weighted.report.warnings[0].find("v with weight"), std::string::npos);
+  expect_refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0 junk\n3 0 1 2\n", "a.off", "a.off:5");
+  expect_refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 junk\n", "a.off", "a.off:6");
+  expect_refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 1 2 3 4 5\n", "a.off", "a.off:6");
+  const std::string header =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+  expect_refused(header + "0 0 0\n1 0 0\n0 1 0 3\n3 0 1 2\n", "a.ply", "a.ply:12");
+  expect_refused(header + "0 0 0 7\n1 0 0\n0 1 0\n3 0 1 2\n", "a.ply", "a.ply:10");
+  EXPECT_EQ(read_mesh(header + "0 0 0 \r\n1 0 0\t\n0 1 0\n3 0 1 2", "a.ply", {}, context).mesh.face_count(), 1U);
+}
+
 TEST(MeshFile, OtherStatementsOfObjAreListed) {
   std::string text = "mtllib a.mtl\no part\n" + std::string(triangle_obj);
   const std::array ignored{"g side", "s off", "mg 0",  "usemtl steel", "vt 0 0", "vn 0 0 1",  "vp 0",

@@ -61,6 +61,13 @@ class ObjReader {
   void read_vertex() {
     const auto& words = lines_.words();
     if (words.size() < 4) lines_.fail("a vertex has fewer than three coordinates");
+    // x y z, and perhaps a weight, or a colour of three or four numbers.
+    if (words.size() == 6 || words.size() > 8)
+      lines_.fail("a vertex of " + std::to_string(words.size() - 1) + " words");
+    for (std::size_t k = 4; k < words.size(); ++k) {
+      const double value = lines_.number(words[k]);
+      if (words.size() == 5 && value != 1) ++skipped_["v with weight"];
+    }
     if (words.size() > 5) ++skipped_["v with colour"];
     file_.mesh.vertices.push_back({lines_.number(words[1]), lines_.number(words[2]), lines_.number(words[3])});
   }

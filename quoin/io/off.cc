@@ -68,6 +68,7 @@ class OffReader {
     lines_.need("vertex " + std::to_string(i));
     const auto& words = lines_.words();
     if (words.size() < 3) lines_.fail("vertex " + std::to_string(i) + " has fewer than three coordinates");
+    for (std::size_t k = 3; k < words.size(); ++k) lines_.number(words[k]);
     has_extra_ = has_extra_ || words.size() > 3;
     file_.mesh.vertices.push_back({lines_.number(words[0]), lines_.number(words[1]), lines_.number(words[2])});
   }
@@ -106,8 +107,10 @@ class OffReader {
       color = {channel(0), channel(1), channel(2), words.size() > 3 ? channel(3) : std::uint8_t{255}};
       has_colors_ = true;
     } else if (!words.empty()) {
+      for (const std::string_view word : words) lines_.number(word);
       has_color_indices_ = true;
     }
+    if (words.size() > 4) lines_.fail("the line goes on behind a colour");
     file_.mesh.face_colors.push_back(color);
   }
 

@@ -63,6 +63,14 @@ class Values {
 
   double next(Type type) { return format_ == MeshFormat::ply_text ? next_word() : next_binary(type); }
 
+  /// Ends an element: in text, each has a line.
+  void end_element() {
+    if (format_ != MeshFormat::ply_text) return;
+    position_ = std::min(body_.find_first_not_of(" \t\v\f", position_), body_.size());
+    if (position_ < body_.size() && body_[position_] != '\n' && body_[position_] != '\r')
+      fail("the line goes on behind the values of its element");
+  }
+
   /// The line or byte of the next value, or nothing where none is left.
   std::optional<std::string> place_of_next() {
     if (format_ == MeshFormat::ply_text) skip_space();
@@ -269,6 +277,7 @@ class PlyReader {
       }
       for (std::size_t i = 0; i < length; ++i) take(p, i, values.next(property.type));
     }
+    values.end_element();
   }
 
   void read_vertices(const Element& element, Values& values) {
