@@ -7,12 +7,59 @@
 #include <oneapi/tbb/task_group.h>
 
 #include <algorithm>
-
-#include "quoin/base/fork_join.h"
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
 
 namespace quoin {
 
 namespace {
+
+#ifdef __SANITIZE_THREAD__
+
+// The library of TBB is not instrumented, and its synchronisation is unknown to the thread sanitizer. That of plain
+// threads is, so that races between tasks are found and nothing else is.
+class PlainThreads {
+ public:
+  // Calls run(0) ... run(count - 1), each on the first thread that is free.
+  template <class Run>
+  static void for_each(unsigned threads, std::size_t count, const Run& run) {
+    std::atomic<std::size_t> next{0};
+    std::atomic<bool> has_failed{false};
+    std::exception_ptr failure;
+    std::mutex mutex;
+    const auto work = [&] {
+      for (std::size_t i = next++; i < count && !has_failed; i = next++) {
+        try {
+          run(i);
+        } catch (...) {
+          const std::scoped_lock lock(mutex);
+          if (!failure) failure = std::current_exception();
+          has_failed = true;
+        }
+      }
+    };
+    std::vector<std::thread> others;
+    for (std::size_t t = 1; t < std::min<std::size_t>(threads, count); ++t) others.emplace_back(work);
+    work();
+    for (std::thread& other : others) other.join();
+    if (failure) std::rethrow_exception(failure);
+  }
+};
+
+template <class Run>
+void run_all(const Context& context, std::size_t count, const Run& run) {
+  PlainThreads::for_each(context.threads(), count, run);
+}
+
+template <class First, class Second>
+void run_two(const Context& context, const First& first, const Second& second) {
+  PlainThreads::for_each(context.threads(), 2, [&](std::size_t i) { i == 0 ? first() : second(); });
+}
+
+#else
 
 // Isolated: work nested in a task whose sibling throws would otherwise stop early and return as if it were done.
 using Group = oneapi::tbb::task_group_context;
@@ -32,6 +79,20 @@ void in_arena(const Context& context, const Work& work) {
   arena.execute(work);
 }
 
+template <class Run>
+void run_all(const Context& context, std::size_t count, const Run& run) {
+  Group group(Group::isolated);
+  in_arena(context, [&] { oneapi::tbb::parallel_for(std::size_t{0}, count, run, group); });
+}
+
+template <class First, class Second>
+void run_two(const Context& context, const First& first, const Second& second) {
+  Group group(Group::isolated);
+  in_arena(context, [&] { oneapi::tbb::parallel_invoke(first, second, group); });
+}
+
+#endif
+
 }  // namespace
 
 void for_each_chunk(const Context& context, std::size_t count, std::size_t grain,
@@ -45,13 +106,7 @@ void for_each_chunk(const Context& context, std::size_t count, std::size_t grain
     for (std::size_t index = 0; index < chunks; ++index) run(index);
     return;
   }
-  ForkJoin fork_join;
-  const auto task = [&](std::size_t index) {
-    const ForkedTask forked(fork_join);
-    run(index);
-  };
-  Group group(Group::isolated);
-  in_arena(context, [&] { oneapi::tbb::parallel_for(std::size_t{0}, chunks, task, group); });
+  run_all(context, chunks, run);
 }
 
 void run_both(const Context& context, const std::function<void()>& first, const std::function<void()>& second) {
@@ -60,13 +115,7 @@ void run_both(const Context& context, const std::function<void()>& first, const 
     second();
     return;
   }
-  ForkJoin fork_join;
-  const auto task = [&](const std::function<void()>& work) {
-    const ForkedTask forked(fork_join);
-    work();
-  };
-  Group group(Group::isolated);
-  in_arena(context, [&] { oneapi::tbb::parallel_invoke([&] { task(first); }, [&] { task(second); }, group); });
+  run_two(context, first, second);
 }
 
 }  // namespace quoin
