@@ -41,7 +41,6 @@ class FaceCutter {
     friend auto operator<=>(const Edge& a, const Edge& b) {
       return std::pair(a.from.value, a.to.value) <=> std::pair(b.from.value, b.to.value);
     }
-    friend bool operator==(const Edge&, const Edge&) = default;
   };
 
   bool lies_in_its_plane(std::uint32_t f) const {
