@@ -50,11 +50,13 @@ struct Bulk {
   }
 
   // A product of three differences has a relative error of at most 6 half units in the last place, and each of the up
-  // to `terms` additions after it one more, of at most `size` each; twice that covers the rounding of `size` too. The
-  // last term covers products that underflow.
+  // to `terms` additions after it one more, of at most `size` each; twice that covers the rounding of `size` too. A
+  // product of two that underflows is off by 2^-1075 more, times a third factor of at most the box's extent; infinite
+  // sizes and extents decide nothing.
   bool has_sign(bool is_negative, std::size_t terms) const {
-    const double error = (static_cast<double>(terms) + 8) * std::numeric_limits<double>::epsilon() * size +
-                         static_cast<double>(terms) * 1e-290;
+    const double extent = std::max({hi.x - lo.x, hi.y - lo.y, hi.z - lo.z, 1.0});
+    const double count = static_cast<double>(terms);
+    const double error = (count + 8) * std::numeric_limits<double>::epsilon() * size + count * extent * 0x1p-1072;
     return is_negative ? volume < -error : volume > error;
   }
 };
