@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <random>
 #include <vector>
 
 #include "quoin/kernel/predicates3.h"
+#include "quoin/solid/exit_sides.h"
 #include "quoin/solid/measure.h"
 #include "quoin/solid/shapes.h"
 #include "quoin/solid/solid.h"
@@ -102,6 +105,35 @@ TEST(Exit, ShellsThatTurnInsideOutAreNotCertified) {
   }
   EXPECT_GT(kept, 5U);
   EXPECT_GT(changed, 5U);
+}
+
+// Of a pyramid over a star of a few of the smallest doubles in area, its apex 2^1000 away, products of two coordinates
+// of the base underflow: what is inside out must not seem right.
+TEST(Exit, SidesAreNotEvidentFromProductsThatUnderflow) {
+  constexpr std::uint32_t n = 60;
+  const Solid outward = solid(shapes::cube());  // one shell, its material inside
+  std::mt19937_64 random(17);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (int repeat = 0; repeat < 300; ++repeat) {
+    Mesh mesh;
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const double angle = 2 * std::numbers::pi * (i + 0.8 * unit(random)) / n;
+      const double radius = 0x1p-535 * (i % 2 == 0 ? 1.0 : 0.02) * (0.8 + 0.4 * unit(random));
+      mesh.vertices.push_back({0, radius * std::cos(angle), radius * std::sin(angle)});
+    }
+    mesh.vertices.push_back({0, 0, 0});
+    mesh.vertices.push_back({0x1p1000, 0, 0});
+    for (std::uint32_t i = 0; i < n; ++i) mesh.add_face(Tile{n, (i + 1) % n, i});
+    for (std::uint32_t i = 0; i < n; ++i) mesh.add_face(Tile{n + 1, i, (i + 1) % n});
+    std::vector<Tile> inside_out;
+    for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+      const auto face = mesh.face(f);
+      inside_out.push_back({face[0], face[2], face[1]});
+    }
+    std::rotate(inside_out[0].begin(), inside_out[0].begin() + 1, inside_out[0].end());  // seen from the rim
+    const std::vector<std::uint32_t> faces(inside_out.size(), 0);
+    EXPECT_FALSE(are_sides_evident(outward.boundary(), mesh.vertices, inside_out, faces, one_thread)) << repeat;
+  }
 }
 
 // A small body in front of a large slanting face ends up behind it, without crossing it.
