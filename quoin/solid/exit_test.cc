@@ -15,17 +15,13 @@
 #include "quoin/solid/measure.h"
 #include "quoin/solid/shapes.h"
 #include "quoin/solid/solid.h"
+#include "quoin/solid/test_solids.h"
 
 namespace quoin {
 namespace {
 
-const Context one_thread({.threads = 1});
-
-Solid solid(const Mesh& mesh) {
-  const LeafResult result = make_leaf(mesh, {}, one_thread);
-  EXPECT_NE(result.leaf, nullptr);
-  return Solid::from_leaf(result.leaf, one_thread);
-}
+using quoin::testing::one_thread;
+using quoin::testing::solid;
 
 Triangulated singles(const Solid& s) {
   ExitOptions options;
@@ -96,7 +92,7 @@ TEST(Exit, ShellsThatTurnInsideOutAreNotCertified) {
     for (std::size_t k = 0; k < 3; ++k) p[3][k] = (p[0][k] + p[1][k] + p[2][k]) / 3;
     p[3].z += 1e-8;
     const Triangulated t = singles(solid(tetrahedron(p)));
-    SCOPED_TRACE(testing::Message() << "repeat " << repeat);
+    SCOPED_TRACE(::testing::Message() << "repeat " << repeat);
     ASSERT_TRUE(t.rounding == Rounding::certified || t.rounding == Rounding::changed);
     const Mesh mesh = mesh_of(t);
     const double volume = mesh.face_count() == 0 ? 0 : rounded_volume(solid(mesh).boundary(), one_thread);
@@ -200,7 +196,7 @@ TEST(Exit, TetrahedraOnSmallGridsLeaveWithoutSnapping) {
     for (const Solid& result : {unite(std::array{a, b}, one_thread), intersect(std::array{a, b}, one_thread),
                                 subtract(a, {&b, 1}, one_thread), symmetric_difference(std::array{a, b}, one_thread)}) {
       const Triangulated t = triangulate_boundary(result.boundary(), {}, one_thread);
-      SCOPED_TRACE(testing::Message() << "repeat " << repeat << " result " << made % 4);
+      SCOPED_TRACE(::testing::Message() << "repeat " << repeat << " result " << made % 4);
       ++made;
       EXPECT_LE(t.rounding, Rounding::certified);
       snapped += t.rounds > 0 ? 1 : 0;

@@ -16,18 +16,14 @@
 #include "quoin/solid/measure.h"
 #include "quoin/solid/shapes.h"
 #include "quoin/solid/solid.h"
+#include "quoin/solid/test_solids.h"
 #include "quoin/solid/topology_counts.h"
 
 namespace quoin {
 namespace {
 
-const Context one_thread({.threads = 1});
-
-Solid solid(const Mesh& mesh) {
-  const LeafResult result = make_leaf(mesh, {}, one_thread);
-  EXPECT_NE(result.leaf, nullptr);
-  return Solid::from_leaf(result.leaf, one_thread);
-}
+using quoin::testing::one_thread;
+using quoin::testing::solid;
 
 Mesh tetrahedron(const std::array<Point3, 4>& corners) {
   Mesh mesh;
@@ -205,7 +201,7 @@ TEST(Touching, RandomSolidsOnSmallGrids) {
   std::size_t edges = 0;
   std::size_t failed = 0;
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
-    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    SCOPED_TRACE(::testing::Message() << "seed " << seed);
     std::mt19937_64 random(seed);
     std::uniform_int_distribution<int> coordinate(0, 2 + static_cast<int>(seed % 3));
     Solid s = solid(boxes[seed % 2]);
