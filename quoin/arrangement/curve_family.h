@@ -43,7 +43,8 @@ concept CurveFamily = requires(F& family, const F& f, const typename F::Point& p
 
   /// Total order. Zero if and only if both are the same point of the parameter rectangle.
   { f.compare_xy(p, p) } -> std::same_as<Sign>;
-  /// Positive: p lies above the branch. p is in the x-range of the branch. Of a vertical branch p lies on its line: zero.
+  /// Positive: p lies above the branch. p is in the x-range of the branch. Of a vertical branch p lies on its line:
+  /// zero.
   { f.compare_y_at_x(p, b) } -> std::same_as<Sign>;
   /// Order of two branches through p, just right of p. Zero if and only if they overlap there.
   { f.compare_right(b, b, p) } -> std::same_as<Sign>;
@@ -54,12 +55,14 @@ concept CurveFamily = requires(F& family, const F& f, const typename F::Point& p
   { f.same_branch(b, b) } -> std::same_as<bool>;
   { f.side(p) } -> std::same_as<Side>;
 
+  /// Branches that meet always cross: curves that go on through a common point come out in reverse order.
+  { F::meets_transversally } -> std::convertible_to<bool>;
   /// first_meeting(lower, lower_end, upper, upper_end, after, out): the first common point, in lexicographic order, of
-  /// the two pieces strictly after `after`, where `lower` lies below `upper` just right of `after` and the pieces end on
-  /// the right at the given points. Common points that are such an end may be left out: the sweep knows them.
+  /// the two pieces strictly after `after`, where `lower` lies below `upper` just right of `after` and the pieces end
+  /// on the right at the given points. Common points that are such an end may be left out: the sweep knows them.
   { f.first_meeting(b, p, b, p, p, out) } -> std::same_as<bool>;
   /// All common points of two branches that do not overlap, in lexicographic order, appended.
-  { f.meetings(b, b, meetings) };
+  {f.meetings(b, b, meetings)};
 
   /// Takes over the supports of another family object; `shifted` translates what referred to the other one.
   { family.absorb(f) } -> std::same_as<typename F::Shift>;

@@ -38,8 +38,8 @@ struct BoundedPlane {
   static constexpr bool has_unbounded_face = true;
 };
 
-/// The plane, with curves that may go to infinity. A frame of fictitious edges joins the ends of curves at infinity; it is
-/// not shown to users.
+/// The plane, with curves that may go to infinity. A frame of fictitious edges joins the ends of curves at infinity; it
+/// is not shown to users.
 struct UnboundedPlane {
   static constexpr SideKinds sides{SideKind::infinite, SideKind::infinite, SideKind::infinite, SideKind::infinite};
   static constexpr bool has_unbounded_face = true;

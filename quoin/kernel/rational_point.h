@@ -5,6 +5,13 @@
 
 namespace quoin {
 
+/// A point or vector of the plane with exact rational coordinates.
+struct RationalPoint2 {
+  Rational x;
+  Rational y;
+  friend bool operator==(const RationalPoint2&, const RationalPoint2&) = default;
+};
+
 /// A point or vector of space with exact rational coordinates.
 struct RationalPoint3 {
   Rational x;

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "quoin/arrangement/dcel.h"
+#include "quoin/arrangement/history.h"
+#include "quoin/arrangement/pieces.h"
+#include "quoin/base/context.h"
+
+namespace quoin {
+
+/// A subdivision of a surface by curves of one family: the family owns all numbers, the cells are plain links, and an
+/// edge is a branch between two vertices.
+///
+/// Faces of the plane have one outer boundary, but unbounded ones of a plane without curves at infinity none; faces of
+/// a sphere have any number of boundaries. Iterate over ids 0 ... size - 1 and skip cells that are not `is_real`.
+template <CurveFamily F>
+class Arrangement {
+ public:
+  using Family = F;
+  using Point = typename F::Point;
+
+  /// The empty arrangement: one face.
+  Arrangement();
+  Arrangement(F family, dcel::Dcel cells, std::vector<Point> points, std::vector<BranchId> branches,
+              CurveHistory history, std::uint32_t curve_count)
+      : family_(std::move(family)),
+        cells_(std::move(cells)),
+        points_(std::move(points)),
+        branches_(std::move(branches)),
+        history_(std::move(history)),
+        curve_count_(curve_count) {}
+
+  const F& family() const { return family_; }
+  const dcel::Dcel& cells() const { return cells_; }
+  dcel::Counts counts() const { return dcel::count_cells(cells_); }
+
+  std::size_t vertex_count() const { return cells_.vertices.size(); }
+  std::size_t edge_count() const { return cells_.edges.size(); }
+  std::size_t face_count() const { return cells_.faces.size(); }
+
+  /// Of a vertex, fictitious ones (ends at infinity) too, but for the four corners of the frame.
+  const Point& point(dcel::VertexId v) const { return points_[v.index()]; }
+  bool has_point(dcel::VertexId v) const { return v.index() < points_.size(); }
+  /// Of a real edge.
+  BranchId branch(dcel::EdgeId e) const { return branches_[e.index()]; }
+  dcel::VertexId left(dcel::EdgeId e) const { return cells_.origin(dcel::HalfedgeId(e, false)); }
+  dcel::VertexId right(dcel::EdgeId e) const { return cells_.origin(dcel::HalfedgeId(e, true)); }
+  /// Ends of a piece along its branch. On a sphere they may be other copies than the vertices' points: the copy on the
+  /// right side, and the end at a pole with the meridian of this edge.
+  const Point& left_point(dcel::EdgeId e) const { return end_points_.empty() ? point(left(e)) : ends(e).first; }
+  const Point& right_point(dcel::EdgeId e) const { return end_points_.empty() ? point(right(e)) : ends(e).second; }
+
+  std::uint32_t curve_count() const { return curve_count_; }
+  /// Input curves that pass along a real edge.
+  std::span<const CurveUse> curves(dcel::EdgeId e) const { return history_.of(e); }
+  const CurveHistory& history() const { return history_; }
+
+  /// Where surfaces have glued sides, edges keep their own end points.
+  void set_end_points(std::vector<std::pair<Point, Point>> ends) { end_points_ = std::move(ends); }
+
+ private:
+  const std::pair<Point, Point>& ends(dcel::EdgeId e) const { return end_points_[e.index()]; }
+
+  F family_;
+  dcel::Dcel cells_;
+  std::vector<Point> points_;
+  std::vector<BranchId> branches_;
+  CurveHistory history_;
+  std::uint32_t curve_count_ = 0;
+  std::vector<std::pair<Point, Point>> end_points_;  // by edge; empty where vertices' points serve
+};
+
+/// The arrangement of all pieces and lone points of a list, by one sweep; curve k of the list is curve k of the
+/// history.
+///
+/// Exact; overlapping, touching, multiple and vertical curves are ordinary. O((n + k) log n).
+/// @throws Cancelled
+template <CurveFamily F>
+Arrangement<F> arrange(F family, const PieceList<F>& list, const Context& context);
+
+}  // namespace quoin

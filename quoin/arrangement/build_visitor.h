@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "quoin/arrangement/arrangement.h"
+#include "quoin/arrangement/dcel_builder.h"
+#include "quoin/arrangement/sweep.h"
+
+namespace quoin {
+
+/// Makes an arrangement of what a sweep meets.
+template <CurveFamily F>
+class BuildVisitor : public SweepVisitor<typename F::Point> {
+ public:
+  using Point = typename F::Point;
+  static constexpr bool has_glued_sides = F::Surface::sides.left == SideKind::identified;
+
+  BuildVisitor(const F& family, const PieceList<F>& list) : family_(family), list_(list) {
+    if constexpr (has_glued_sides) number_copies();
+  }
+
+  bool at_event(const SweepEvent<Point>& event) override {
+    dcel::LinkEvent link{family_.side(event.point), event.left, event.right, event.below, dcel::DcelBuilder::none};
+    if constexpr (has_glued_sides) follow_copies(event, link);
+    builder_.add_event(link);
+    points_.push_back(event.point);
+    for (const std::uint32_t head : event.bundles) {
+      branches_.push_back(list_.pieces[head].branch);
+      uses_.clear();
+      for (std::uint32_t piece = head; piece != event.none; piece = event.next_in_bundle[piece]) {
+        uses_.emplace_back(list_.pieces[piece].curve, list_.pieces[piece].reversed);
+      }
+      if (uses_.size() > 1) std::sort(uses_.begin(), uses_.end());
+      history_.append(uses_);
+    }
+    return true;
+  }
+
+  Arrangement<F> finish(F family) {
+    auto built = builder_.finish(F::Surface::sides, F::Surface::has_unbounded_face);
+    const std::size_t edges = built.dcel.edges.size();
+    std::vector<Point> points(built.dcel.vertices.size());
+    std::size_t with_point = 0;
+    for (std::size_t event = built.vertex_of_event.size(); event-- > 0;) {
+      const std::size_t vertex = built.vertex_of_event[event].index();
+      points[vertex] = points_[event];
+      with_point = std::max(with_point, vertex + 1);
+    }
+    points.resize(with_point);
+    branches_.resize(edges);
+    while (history_.edge_count() < edges) history_.append({});
+    Arrangement<F> result(std::move(family), std::move(built.dcel), std::move(points), std::move(branches_),
+                          std::move(history_), list_.curve_count);
+    if constexpr (has_glued_sides) result.set_end_points(std::move(ends_));
+    return result;
+  }
+
+ private:
+  void number_copies() {
+    copy_of_point_.resize(list_.points.size(), 0);
+    std::uint32_t copies = 0;
+    for (std::size_t i = 0; i < list_.points.size(); ++i) {
+      if (family_.side(list_.points[i]) == Side::right) copy_of_point_[i] = copies++;
+    }
+    event_of_copy_.resize(copies);
+  }
+  void follow_copies(const SweepEvent<Point>& event, dcel::LinkEvent& link) {
+    for (const std::uint32_t index : event.known) {
+      if (index >= list_.points.size()) event_of_copy_[index - list_.points.size()] = event.vertex;
+    }
+    if (link.side == Side::right) link.left_copy = event_of_copy_[copy_of_point_[event.known[0]]];
+    for (std::size_t i = 0; i < event.right.size(); ++i) ends_.emplace_back(event.point, event.point);
+    for (const std::uint32_t edge : event.left) ends_[edge].second = event.point;
+  }
+
+  const F& family_;
+  const PieceList<F>& list_;
+  dcel::DcelBuilder builder_;
+  std::vector<Point> points_;  // by event
+  std::vector<BranchId> branches_;
+  CurveHistory history_;
+  std::vector<CurveUse> uses_;
+  std::vector<std::pair<Point, Point>> ends_;
+  std::vector<std::uint32_t> copy_of_point_;
+  std::vector<std::uint32_t> event_of_copy_;
+};
+
+}  // namespace quoin

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "quoin/arrangement/arrangement.h"
+#include "quoin/arrangement/linear_family.h"
+#include "quoin/arrangement/sweep.h"
+
+namespace quoin {
+
+static_assert(CurveFamily<LinearFamily>);
+
+extern template class Sweep<LinearFamily>;
+extern template class Arrangement<LinearFamily>;
+extern template Arrangement<LinearFamily> arrange(LinearFamily, const PieceList<LinearFamily>&, const Context&);
+
+using LinearArrangement = Arrangement<LinearFamily>;
+
+}  // namespace quoin

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <numeric>
+#include <span>
+#include <vector>
+
+#include "quoin/arrangement/pieces.h"
+#include "quoin/base/parallel_sort.h"
+
+namespace quoin {
+
+/// The pieces that start or end at each point of a list, as offsets into one array.
+class PointIncidences {
+ public:
+  PointIncidences(std::size_t point_count, std::span<const Piece> pieces);
+
+  /// Twice a piece, plus one where the piece ends.
+  std::span<const std::uint32_t> at(std::uint32_t point) const {
+    return {entries_.data() + begin_[point], begin_[point + 1] - begin_[point]};
+  }
+
+ private:
+  std::vector<std::uint32_t> begin_;
+  std::vector<std::uint32_t> entries_;
+};
+
+/// Indices of the points in lexicographic order; equal ones by index.
+///
+/// Sorted by rounded keys first; where neighbours' keys are closer than their errors, by exact comparisons. O(n log n),
+/// linear if the points come in order.
+template <CurveFamily F>
+std::vector<std::uint32_t> sorted_points(const Context& context, const F& family,
+                                         std::span<const typename F::Point> points) {
+  struct Keyed {
+    double key;
+    std::uint32_t point;
+    bool operator<(const Keyed& other) const { return key != other.key ? key < other.key : point < other.point; }
+  };
+  std::vector<Keyed> keyed(points.size());
+  double largest = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    keyed[i] = {family.sweep_key(points[i]), static_cast<std::uint32_t>(i)};
+    if (std::isfinite(keyed[i].key)) largest = std::max(largest, std::fabs(keyed[i].key));
+  }
+  if (!std::is_sorted(keyed.begin(), keyed.end())) sort_parallel(context, keyed);
+  const auto is_before = [&](const Keyed& a, const Keyed& b) {
+    const Sign order = family.compare_xy(points[a.point], points[b.point]);
+    return order != Sign::zero ? order == Sign::negative : a.point < b.point;
+  };
+  const double gap = std::max(2 * family.key_error(), 0x1p-44 * largest);
+  for (std::size_t begin = 0; begin < keyed.size();) {
+    std::size_t end = begin + 1;
+    while (end < keyed.size() && !(keyed[end].key - keyed[end - 1].key > gap)) ++end;
+    if (end - begin > 1) {
+      const auto first = keyed.begin() + static_cast<std::ptrdiff_t>(begin);
+      const auto last = keyed.begin() + static_cast<std::ptrdiff_t>(end);
+      if (!std::is_sorted(first, last, is_before)) std::sort(first, last, is_before);
+    }
+    begin = end;
+  }
+  std::vector<std::uint32_t> order(keyed.size());
+  for (std::size_t i = 0; i < keyed.size(); ++i) order[i] = keyed[i].point;
+  return order;
+}
+
+}  // namespace quoin
