@@ -60,6 +60,11 @@ class Arrangement {
   std::span<const CurveUse> curves(dcel::EdgeId e) const { return history_.of(e); }
   const CurveHistory& history() const { return history_; }
 
+  /// For algorithms that name curves anew.
+  void set_history(CurveHistory history, std::uint32_t curve_count) {
+    history_ = std::move(history);
+    curve_count_ = curve_count;
+  }
   /// Where surfaces have glued sides, edges keep their own end points.
   void set_end_points(std::vector<std::pair<Point, Point>> ends) { end_points_ = std::move(ends); }
 

@@ -17,7 +17,8 @@ class BuildVisitor : public SweepVisitor<typename F::Point> {
   using Point = typename F::Point;
   static constexpr bool has_glued_sides = F::Surface::sides.left == SideKind::identified;
 
-  BuildVisitor(const F& family, const PieceList<F>& list) : family_(family), list_(list) {
+  BuildVisitor(const F& family, const PieceList<F>& list)
+      : family_(family), list_(list), event_of_point_(list.points.size()) {
     if constexpr (has_glued_sides) number_copies();
   }
 
@@ -26,6 +27,9 @@ class BuildVisitor : public SweepVisitor<typename F::Point> {
     if constexpr (has_glued_sides) follow_copies(event, link);
     builder_.add_event(link);
     points_.push_back(event.point);
+    for (const std::uint32_t index : event.known) {
+      if (index < event_of_point_.size()) event_of_point_[index] = event.vertex;
+    }
     for (const std::uint32_t head : event.bundles) {
       branches_.push_back(list_.pieces[head].branch);
       uses_.clear();
@@ -38,6 +42,9 @@ class BuildVisitor : public SweepVisitor<typename F::Point> {
     return true;
   }
 
+  /// By point of the list, once finished.
+  const std::vector<dcel::VertexId>& vertex_of_point() const { return vertex_of_point_; }
+
   Arrangement<F> finish(F family) {
     auto built = builder_.finish(F::Surface::sides, F::Surface::has_unbounded_face);
     const std::size_t edges = built.dcel.edges.size();
@@ -49,6 +56,8 @@ class BuildVisitor : public SweepVisitor<typename F::Point> {
       with_point = std::max(with_point, vertex + 1);
     }
     points.resize(with_point);
+    vertex_of_point_.reserve(event_of_point_.size());
+    for (const std::uint32_t event : event_of_point_) vertex_of_point_.push_back(built.vertex_of_event[event]);
     branches_.resize(edges);
     while (history_.edge_count() < edges) history_.append({});
     Arrangement<F> result(std::move(family), std::move(built.dcel), std::move(points), std::move(branches_),
@@ -78,6 +87,8 @@ class BuildVisitor : public SweepVisitor<typename F::Point> {
   const F& family_;
   const PieceList<F>& list_;
   dcel::DcelBuilder builder_;
+  std::vector<std::uint32_t> event_of_point_;
+  std::vector<dcel::VertexId> vertex_of_point_;
   std::vector<Point> points_;  // by event
   std::vector<BranchId> branches_;
   CurveHistory history_;

@@ -77,6 +77,9 @@ class Dcel {
   std::vector<Vertex> vertices;
   std::vector<Boundary> boundaries;
   std::vector<Face> faces;
+  /// The face at the lower end of the left side of the parameter rectangle: of the plane, below and left of everything;
+  /// of a sphere, at the south pole, just before the identification. It is the same place in every subdivision.
+  FaceId base_face;
 
   const Halfedge& operator[](HalfedgeId h) const { return halfedges[h.index()]; }
   Halfedge& operator[](HalfedgeId h) { return halfedges[h.index()]; }

@@ -244,12 +244,17 @@ void DcelBuilder::number_faces() {
   face_of_class_.assign(classes_->size(), FaceId());
   const bool is_framed = !frame_bottom_.empty();
   const std::uint32_t outside = is_framed ? classes_->find(boundary_class(frame_bottom_[0].twin())) : none;
-  if (!is_framed) add_face(classes_->find(low_class_));
+  // Where meridians leave the bottom side, or a frame closes the plane, the low class stands for no face.
+  if (!is_framed && bottom_edges_.empty()) add_face(classes_->find(low_class_));
   for (std::uint32_t b = 0; b < dcel_.boundaries.size(); ++b) {
     const std::uint32_t root = classes_->find(b);
     if (root != outside && face_of_class_[root].is_none()) add_face(root);
   }
   if (is_framed) dcel_[add_face(outside)].state = CellState::fictitious;
+  const std::uint32_t base = is_framed               ? boundary_class(frame_bottom_[0])
+                             : bottom_edges_.empty() ? low_class_
+                                                     : boundary_class(bottom_edges_[0]);
+  dcel_.base_face = face_of_class_[classes_->find(base)];
   if (has_unbounded_face_ && !is_framed) dcel_.faces[0].is_unbounded = true;
 }
 
