@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "quoin/arrangement/circular_exact.h"
+#include "quoin/arrangement/circular_family.h"
+#include "quoin/number/error_free.h"
+
+// Crossings of supports, in doubles with a bound of their error. The formulas are those of circular_kernel.h. Written
+// e(x) for the error of x, M for the magnitude (largest coordinate or radius) and u for 2^-53; second-order terms are
+// in the slack of each constant. A crossing is certified if its error is below error() = 2^-46 M = 128 u M.
+namespace quoin {
+namespace {
+
+constexpr double u = 0x1p-53;
+
+}  // namespace
+
+/// Differences d = c2 - c1 have a relative error of u, d.d of 4u, q = (r1 - r2)(r1 + r2) of 3u, so that
+///   e(k) <= 5u d.d + 4u |q| + u |k| < 8u (d.d + |q|),
+///   e(D) <= 2 |k| e(k) + e(k)^2 + 8u 4 d.d r1^2 + 2u (4 d.d r1^2 + k^2) < 4 |k| e(k) + 48u d.d r1^2.
+/// A rational circle has its centre within u M and its radius within 2u: differences err by 2u M more, d.d by 6u M d,
+/// q by 8u r^2; with L = r1^2 + r2^2 + M d that adds 16u L to e(k) and 64u r1^2 L to e(D).
+/// The middle c1 + k d / (2 d.d) and the half D^(1/2) d' / (2 d.d) have lengths that are legs of a triangle with the
+/// hypotenuse r1. Their errors: e(k) / (2 d), e(D) / (2 d (D^(1/2) + (D - e(D))^(1/2))) < 0.3 e(D) / (d D^(1/2)) for
+/// e(D) < D / 2, roundings below 30u M, and of a rational centre 32 u M r1 / d.
+CircularFamily::Certainty CircularFamily::cross_circles(const CircularSupport& a, const CircularSupport& b,
+                                                        RoundedCrossing& out) const {
+  const bool loose = a.form != CircularForm::radius || b.form != CircularForm::radius;
+  const double dx = b.x - a.x;
+  const double dy = b.y - a.y;
+  const double d2 = dx * dx + dy * dy;
+  const double q = (a.radius - b.radius) * (a.radius + b.radius);
+  const double k = d2 + q;
+  const double r2 = a.squared_radius;
+  const double product = 4 * d2 * r2;
+  const double discriminant = product - k * k;
+  double error_k = 8 * u * (d2 + std::fabs(q));
+  double error_d = 4 * std::fabs(k) * error_k + 12 * u * product;
+  if (loose) {
+    const double loose_k =
+        16 * u * (r2 + b.squared_radius + magnitude_ * std::sqrt(d2) + 4 * u * magnitude_ * magnitude_);
+    error_d += (4 * std::fabs(k) + 4 * loose_k + 4 * r2) * loose_k;
+    error_k += loose_k;
+  }
+  if (discriminant < -error_d) return Certainty::none;
+  if (!(discriminant > 2 * error_d)) return Certainty::unknown;
+  const double root = std::sqrt(discriminant);
+  const double d = std::sqrt(d2);
+  double error = (0.5 * error_k + 0.3 * error_d / root) + 40 * u * magnitude_ * d;
+  if (loose) {
+    error += 32 * u * magnitude_ * a.radius;
+    if (std::fabs(dy) < error_ && (a.is_rational() || b.is_rational())) return Certainty::unknown;  // sign of dy
+  }
+  if (!(error < 126 * u * magnitude_ * d)) return Certainty::unknown;
+  const double scale = 0.5 / d2;
+  const double along = k * scale;
+  const double across = dy > 0 || (dy == 0 && dx < 0) ? -root * scale : root * scale;
+  out = {a.x + along * dx, a.y + along * dy, -across * dy, across * dx};
+  return Certainty::certified;
+}
+
+/// n = e x w with e within u and w = c - p within u of themselves: e(n) <= 4u (|e.x w.y| + |e.y w.x|) + u |n|, and if
+/// one of them is rational 4u M (|e.x| + |e.y|) more. e.e has 4u, r^2 at most 4u: e(D) < 10u r^2 e.e + 3 |n| e(n) + 2
+/// e(n)^2. Middle and half err by e(n) / |e|, 0.6 e(D) / (D^(1/2) |e|) and roundings below 30u M.
+CircularFamily::Certainty CircularFamily::cross_circle_line(const CircularSupport& circle, const CircularSupport& line,
+                                                            RoundedCrossing& out) const {
+  const double dx = line.dx;
+  const double dy = line.dy;
+  const double left = dx * (circle.y - line.y);
+  const double right = dy * (circle.x - line.x);
+  const double n = left - right;
+  const double d2 = dx * dx + dy * dy;
+  const double product = circle.squared_radius * d2;
+  const double discriminant = product - n * n;
+  double error_n = 6 * u * (std::fabs(left) + std::fabs(right));
+  if (circle.is_rational() || line.is_rational()) error_n += 4 * u * magnitude_ * (std::fabs(dx) + std::fabs(dy));
+  const double error_d = 12 * u * product + (3 * std::fabs(n) + 2 * error_n) * error_n;
+  if (discriminant < -error_d) return Certainty::none;
+  if (!(discriminant > 2 * error_d)) return Certainty::unknown;
+  const double root = std::sqrt(discriminant);
+  const double length = std::sqrt(d2);
+  if (!(error_n + 0.6 * error_d / root < 86 * u * magnitude_ * length)) return Certainty::unknown;
+  const double along = n / d2;
+  const double across = root / d2;
+  out = {circle.x + along * dy, circle.y - along * dx, across * dx, across * dy};
+  return Certainty::certified;
+}
+
+/// Of (p, e) and (q, f): at p + t e, t = ((q - p) x f) / (e x f). Numerator N and denominator D err like n above;
+/// e(t) <= (e(N) + |t| e(D)) / (|D| - e(D)) + u |t|.
+CircularFamily::Certainty CircularFamily::cross_lines(const CircularSupport& a, const CircularSupport& b,
+                                                      RoundedCrossing& out) const {
+  const double left = a.dx * b.dy;
+  const double right = a.dy * b.dx;
+  const double d = left - right;
+  const double error_d = 6 * u * (std::fabs(left) + std::fabs(right));
+  if (!(std::fabs(d) > 4 * error_d)) return Certainty::unknown;
+  const double up = (b.x - a.x) * b.dy;
+  const double down = (b.y - a.y) * b.dx;
+  double error_n = 6 * u * (std::fabs(up) + std::fabs(down));
+  if (a.is_rational() || b.is_rational()) error_n += 4 * u * magnitude_ * (std::fabs(b.dx) + std::fabs(b.dy));
+  const double t = (up - down) / d;
+  const double size = std::fabs(a.dx) + std::fabs(a.dy);
+  const double error_t = 1.4 * (error_n + std::fabs(t) * error_d) / std::fabs(d) + 4 * u * std::fabs(t);
+  const double x = a.x + t * a.dx;
+  const double y = a.y + t * a.dy;
+  if (!(size * error_t + 2 * u * (std::fabs(x) + std::fabs(y)) < 120 * u * magnitude_)) return Certainty::unknown;
+  out = {x, y, 0, 0};
+  return Certainty::certified;
+}
+
+CircularPoint CircularFamily::crossing_point(std::uint32_t a, std::uint32_t b, int root,
+                                             const RoundedCrossing& numbers) const {
+  Point p;
+  p.kind = CircularPointKind::crossing;
+  p.first = a;
+  p.second = b;
+  p.root = static_cast<std::int8_t>(root);
+  p.x = numbers.middle_x + root * numbers.half_x;
+  p.y = numbers.middle_y + root * numbers.half_y;
+  p.exact_x = false;
+  p.exact_y = false;
+  for (const std::uint32_t id : {a, b}) {
+    const CircularSupport& s = pools_.supports[id];
+    if (s.form != CircularForm::segment || std::isnan(p.x)) continue;
+    if (s.vertical) {
+      p.x = s.x;
+      p.exact_x = true;
+    } else if (s.dy == 0) {
+      p.y = s.y;
+      p.exact_y = true;
+    }
+  }
+  if (!pools_.supports[a].is_line()) p.half_first = static_cast<std::int8_t>(find_half(p, a));
+  if (!pools_.supports[b].is_line()) p.half_second = static_cast<std::int8_t>(find_half(p, b));
+  return p;
+}
+
+int CircularFamily::crossings(CircularSupportId first, CircularSupportId second, Point out[2]) const {
+  auto a = static_cast<std::uint32_t>(first.index());
+  auto b = static_cast<std::uint32_t>(second.index());
+  if (b < a) std::swap(a, b);
+  const CircularSupport& one = pools_.supports[a];
+  const CircularSupport& two = pools_.supports[b];
+  const bool lines = one.is_line() && two.is_line();
+  RoundedCrossing numbers;
+  const Certainty certainty = lines           ? cross_lines(one, two, numbers)
+                              : one.is_line() ? cross_circle_line(two, one, numbers)
+                              : two.is_line() ? cross_circle_line(one, two, numbers)
+                                              : cross_circles(one, two, numbers);
+  if (certainty == Certainty::none) return 0;
+  bool two_points = !lines;
+  if (certainty == Certainty::unknown) {
+    const circular_exact::Crossing exact = circular_exact::crossing(pools_, a, b);
+    if (exact.discriminant == Sign::negative) return 0;
+    two_points = exact.discriminant == Sign::positive;
+    numbers = {exact.middle_x, exact.middle_y, exact.half_x, exact.half_y};
+    const double reach = std::max(std::fabs(exact.middle_x), std::fabs(exact.middle_y));
+    if (!exact.in_range || !(reach <= 5 * magnitude_)) {
+      numbers.middle_x = numbers.middle_y = std::numeric_limits<double>::quiet_NaN();
+    }
+  }
+  if (!two_points) {
+    out[0] = crossing_point(a, b, 0, numbers);
+    return 1;
+  }
+  out[0] = crossing_point(a, b, -1, numbers);
+  out[1] = crossing_point(a, b, +1, numbers);
+  return 2;
+}
+
+CircularPoint CircularFamily::extreme(CircularSupportId circle, bool right) const {
+  const CircularSupport& s = pools_.supports[circle.index()];
+  const TwoDoubles x = two_sum(s.x, right ? s.radius : -s.radius);
+  Point p;
+  p.x = x.value;
+  p.y = s.y;
+  p.first = static_cast<std::uint32_t>(circle.index());
+  p.exact_y = !s.is_rational();
+  p.exact_x = s.form == CircularForm::radius && x.tail == 0;
+  if (!p.exact_x) {
+    p.kind = CircularPointKind::extreme;
+    p.root = right ? 1 : -1;
+  }
+  return p;
+}
+
+int CircularFamily::common_points(BranchId a, BranchId b, Point out[2]) const {
+  const CircularSupportId one = support(a);
+  const CircularSupportId two = support(b);
+  const bool circles = !is_line(a) && !is_line(b);
+  int count = one == two ? 0 : crossings(one, two, out);
+  if (count == 0 && circles && is_upper(a) != is_upper(b) &&
+      same_support(static_cast<std::uint32_t>(one.index()), static_cast<std::uint32_t>(two.index()))) {
+    out[0] = extreme(one, false);
+    out[1] = extreme(one, true);
+    return 2;
+  }
+  int kept = 0;
+  for (int i = 0; i < count; ++i) {
+    const auto on = [&](BranchId branch) {
+      if (is_line(branch)) return true;
+      const Sign half = compare_y_to_centre(out[i], static_cast<std::uint32_t>(support(branch).index()));
+      return half == Sign::zero || (half == Sign::positive) == is_upper(branch);
+    };
+    if (on(a) && on(b)) out[kept++] = out[i];
+  }
+  return kept;
+}
+
+bool CircularFamily::first_meeting(BranchId lower, const Point& lower_end, BranchId upper, const Point& upper_end,
+                                   const Point& after, Point& out) const {
+  Point common[2];
+  const int count = common_points(lower, upper, common);
+  for (int i = 0; i < count; ++i) {
+    if (compare_xy(common[i], after) != Sign::positive) continue;
+    if (compare_xy(common[i], lower_end) != Sign::negative) return false;
+    if (compare_xy(common[i], upper_end) != Sign::negative) return false;
+    out = common[i];
+    return true;
+  }
+  return false;
+}
+
+void CircularFamily::meetings(BranchId a, BranchId b, std::vector<Meeting<Point>>& out) const {
+  Point common[2];
+  const int count = common_points(a, b, common);
+  const bool lines = is_line(a) && is_line(b);
+  for (int i = 0; i < count; ++i) {
+    const bool touches = common[i].kind != CircularPointKind::crossing || common[i].root == 0;
+    out.push_back({common[i], lines || !touches});
+  }
+}
+
+}  // namespace quoin

@@ -1,0 +1,363 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quoin/arrangement/circular_exact.h"
+
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "quoin/arrangement/circular_kernel.h"
+#include "quoin/number/error_free.h"
+
+namespace quoin {
+
+RationalCircle CircularPools::exact_circle(std::uint32_t support) const {
+  const CircularSupport& s = supports[support];
+  if (s.form == CircularForm::rational_circle) return circles[s.rational];
+  if (s.form == CircularForm::squared_radius) return {s.x, s.y, s.squared_radius};
+  return {s.x, s.y, Rational(s.radius) * Rational(s.radius)};
+}
+
+RationalLine CircularPools::exact_line(std::uint32_t support) const {
+  const CircularSupport& s = supports[support];
+  if (s.form == CircularForm::rational_line) return lines[s.rational];
+  return {s.x, s.y, s.end_x, s.end_y};
+}
+
+namespace circular_exact {
+namespace {
+
+thread_local Counts thread_counts;
+
+/// Exponent of the lowest set bit of a normal number.
+int lowest_bit(double value) {
+  const auto bits = std::bit_cast<std::uint64_t>(value);
+  const std::uint64_t mantissa = (bits & ((std::uint64_t{1} << 52) - 1)) | (std::uint64_t{1} << 52);
+  return static_cast<int>((bits >> 52) & 0x7FF) - 1075 + std::countr_zero(mantissa);
+}
+
+/// The grid of a call: a power of two of which all coordinates relative to the first point are multiples.
+class Grid {
+ public:
+  explicit Grid(const CircularPools& pools) : pools_(pools) {}
+
+  void add_support(std::uint32_t id) {
+    const CircularSupport& s = pools_.supports[id];
+    if (s.is_rational()) {
+      rational_ = true;
+      return;
+    }
+    add_coordinates(s.x, s.y);
+    if (s.form == CircularForm::segment) {
+      add_coordinates(s.end_x, s.end_y);
+    } else if (s.form == CircularForm::radius) {
+      low_ = std::min(low_, lowest_bit(s.radius));
+      reach_ = std::max(reach_, s.radius);
+    } else {
+      const int low = lowest_bit(s.squared_radius);
+      low_ = std::min(low_, low >= 0 ? low / 2 : -((1 - low) / 2));
+      reach_ = std::max(reach_, 1.0001 * s.radius);
+    }
+  }
+  void add_point(const CircularPoint& p) {
+    switch (p.kind) {
+      case CircularPointKind::doubles:
+        return add_coordinates(p.x, p.y);
+      case CircularPointKind::rational:
+        rational_ = true;
+        return;
+      case CircularPointKind::crossing:
+        add_support(p.first);
+        return add_support(p.second);
+      case CircularPointKind::extreme:
+        return add_support(p.first);
+    }
+  }
+
+  /// All numbers of the call are integers below 2^bits on the grid. The reach is rounded, which moves it across a power
+  /// of two only upward.
+  bool fits(int bits) const {
+    return !rational_ && (reach_ == 0 || low_ == unset || std::ilogb(reach_) + 1 - low_ <= bits);
+  }
+
+  double origin_x() const { return origin_x_; }
+  double origin_y() const { return origin_y_; }
+  int low() const { return low_ == unset ? 0 : low_; }
+  const CircularPools& pools() const { return pools_; }
+
+ private:
+  static constexpr int unset = std::numeric_limits<int>::max();
+
+  void add_coordinates(double x, double y) {
+    if (!has_origin_) {
+      origin_x_ = x;
+      origin_y_ = y;
+      has_origin_ = true;
+    }
+    if (x != 0) low_ = std::min(low_, lowest_bit(x));
+    if (y != 0) low_ = std::min(low_, lowest_bit(y));
+    reach_ = std::max({reach_, std::fabs(x - origin_x_), std::fabs(y - origin_y_)});
+  }
+
+  const CircularPools& pools_;
+  double origin_x_ = 0;
+  double origin_y_ = 0;
+  double reach_ = 0;
+  int low_ = unset;
+  bool has_origin_ = false;
+  bool rational_ = false;
+};
+
+/// Reads operands as integers on the grid of the call.
+template <std::size_t B>
+class GridReader {
+ public:
+  using Numbers = IntegersOf<B>;
+  explicit GridReader(const Grid& grid) : grid_(grid), scale_(std::ldexp(1.0, -grid.low())) {}
+
+  typename Numbers::Coordinate x(double value) const { return coordinate(value, grid_.origin_x()); }
+  typename Numbers::Coordinate y(double value) const { return coordinate(value, grid_.origin_y()); }
+
+  ExactCircle<Numbers> circle(std::uint32_t id) const {
+    const CircularSupport& s = grid_.pools().supports[id];
+    return {x(s.x), y(s.y), squared_radius(s)};
+  }
+  ExactLine<Numbers> line(std::uint32_t id) const {
+    const CircularSupport& s = grid_.pools().supports[id];
+    return {x(s.x), y(s.y), x(s.end_x), y(s.end_y)};
+  }
+  ExactPoint<Numbers> explicit_point(const CircularPoint& p) const {
+    using Factor = typename Numbers::Factor;
+    return {x(p.x), y(p.y), Factor(0), Factor(0), typename Numbers::Radicand(0), typename Numbers::Denominator(1)};
+  }
+  const Grid& grid() const { return grid_; }
+  double unit() const { return 1 / scale_; }
+
+ private:
+  typename Numbers::Coordinate coordinate(double value, double origin) const {
+    // Both parts of the difference are multiples of the grid.
+    const TwoDoubles difference = two_difference(value, origin);
+    return typename Numbers::Coordinate(static_cast<std::int64_t>(difference.value * scale_) +
+                                        static_cast<std::int64_t>(difference.tail * scale_));
+  }
+  typename Numbers::SquaredRadius squared_radius(const CircularSupport& s) const {
+    if (s.form == CircularForm::radius) {
+      const typename Numbers::Coordinate radius(static_cast<std::int64_t>(s.radius * scale_));
+      return radius * radius;
+    }
+    int exponent = 0;
+    const auto mantissa = static_cast<std::int64_t>(std::ldexp(std::frexp(s.squared_radius, &exponent), 53));
+    const int zeros = std::countr_zero(static_cast<std::uint64_t>(mantissa));
+    const int shift = exponent - 53 - 2 * grid_.low() + zeros;  // not negative: the grid was chosen so
+    using Limbs = typename Numbers::SquaredRadius::Limbs;
+    return typename Numbers::SquaredRadius(shift_left(Limbs(mantissa >> zeros), static_cast<std::size_t>(shift)));
+  }
+
+  const Grid& grid_;
+  double scale_;
+};
+
+/// Reads operands as rationals.
+class RationalReader {
+ public:
+  using Numbers = Rationals;
+  explicit RationalReader(const Grid& grid) : grid_(grid) {}
+
+  ExactCircle<Rationals> circle(std::uint32_t id) const {
+    RationalCircle c = grid_.pools().exact_circle(id);
+    return {std::move(c.x), std::move(c.y), std::move(c.squared_radius)};
+  }
+  ExactLine<Rationals> line(std::uint32_t id) const {
+    RationalLine l = grid_.pools().exact_line(id);
+    return {std::move(l.x), std::move(l.y), std::move(l.end_x), std::move(l.end_y)};
+  }
+  ExactPoint<Rationals> explicit_point(const CircularPoint& p) const {
+    if (p.kind == CircularPointKind::doubles) return {p.x, p.y, 0, 0, 0, 1};
+    const RationalPoint2& q = grid_.pools().points[p.rational];
+    return {q.x, q.y, 0, 0, 0, 1};
+  }
+  const Grid& grid() const { return grid_; }
+  static double unit() { return 1; }
+
+ private:
+  const Grid& grid_;
+};
+
+/// Calls `use` with the support as a circle or as a line.
+template <class Reader, class Use>
+auto with_support(const Reader& reader, std::uint32_t id, const Use& use) {
+  return reader.grid().pools().supports[id].is_line() ? use(reader.line(id)) : use(reader.circle(id));
+}
+
+template <class Reader>
+ExactPoint<typename Reader::Numbers> crossing_of(const Reader& reader, std::uint32_t a, std::uint32_t b) {
+  return with_support(reader, a, [&](const auto& one) {
+    return with_support(reader, b, [&](const auto& two) { return meet(one, two); });
+  });
+}
+
+template <class Reader>
+ExactPoint<typename Reader::Numbers> point_of(const Reader& reader, const CircularPoint& p) {
+  using Numbers = typename Reader::Numbers;
+  using Factor = typename Numbers::Factor;
+  if (p.kind == CircularPointKind::crossing) return take_root(crossing_of(reader, p.first, p.second), p.root);
+  if (p.kind == CircularPointKind::extreme) {
+    const ExactCircle<Numbers> circle = reader.circle(p.first);
+    return {circle.x, circle.y, Factor(p.root), Factor(0), circle.squared_radius, typename Numbers::Denominator(1)};
+  }
+  return reader.explicit_point(p);
+}
+
+/// Calls `use` with a reader of the narrowest arithmetic that holds the grid.
+template <class Use>
+auto with_reader(const Grid& grid, const Use& use) {
+  if (grid.fits(25)) {
+    ++thread_counts.narrow;
+    return use(GridReader<25>(grid));
+  }
+  if (grid.fits(60)) {
+    ++thread_counts.wide;
+    return use(GridReader<60>(grid));
+  }
+  ++thread_counts.rational;
+  return use(RationalReader(grid));
+}
+
+template <std::size_t Bits>
+double rounded(const BoundedInt<Bits>& value) {
+  return to_double(value);
+}
+double rounded(const Rational& value) {
+  return value.to_double();
+}
+
+/// Neither overflow nor underflow spoils it.
+bool is_tame(double value) {
+  return value == 0 || (std::fabs(value) > 0x1p-1000 && std::fabs(value) < 0x1p1000);
+}
+
+/// Each number is rounded once, so that middle and half have a few roundings; both stay below the largest coordinate
+/// plus the radius where the supports meet, and `origin` is added last.
+template <class Reader>
+Crossing rounded_crossing(const Reader& reader, const ExactPoint<typename Reader::Numbers>& p) {
+  Crossing result;
+  if (p.d.sign() == Sign::zero) return result;
+  result.discriminant = p.c.sign();
+  if (result.discriminant == Sign::negative) return result;
+  const double d = rounded(p.d);
+  const double c = rounded(p.c);
+  const double ax = rounded(p.ax);
+  const double ay = rounded(p.ay);
+  const double bx = rounded(p.bx);
+  const double by = rounded(p.by);
+  const double root = std::sqrt(c);
+  result.in_range = is_tame(d) && is_tame(c) && is_tame(ax) && is_tame(ay) && is_tame(bx) && is_tame(by) &&
+                    is_tame(bx * root) && is_tame(by * root);
+  const bool shifted = !std::is_same_v<Reader, RationalReader>;
+  result.middle_x = ax / d * reader.unit() + (shifted ? reader.grid().origin_x() : 0);
+  result.middle_y = ay / d * reader.unit() + (shifted ? reader.grid().origin_y() : 0);
+  result.half_x = bx * root / d * reader.unit();
+  result.half_y = by * root / d * reader.unit();
+  return result;
+}
+
+Grid grid_of(const CircularPools& pools, const CircularPoint& p, const CircularPoint& q) {
+  Grid grid(pools);
+  grid.add_point(p);
+  grid.add_point(q);
+  return grid;
+}
+
+Grid grid_of(const CircularPools& pools, const CircularPoint& p, std::uint32_t support) {
+  Grid grid(pools);
+  grid.add_point(p);
+  grid.add_support(support);
+  return grid;
+}
+
+}  // namespace
+
+const Counts& counts() {
+  return thread_counts;
+}
+
+Sign compare_x(const CircularPools& pools, const CircularPoint& p, const CircularPoint& q) {
+  return with_reader(grid_of(pools, p, q), [&](const auto& reader) {
+    const auto a = point_of(reader, p);
+    const auto b = point_of(reader, q);
+    return compare_one_root(OneRoot{a.ax, a.bx, a.d}, a.c, OneRoot{b.ax, b.bx, b.d}, b.c);
+  });
+}
+
+Sign compare_y(const CircularPools& pools, const CircularPoint& p, const CircularPoint& q) {
+  return with_reader(grid_of(pools, p, q), [&](const auto& reader) {
+    const auto a = point_of(reader, p);
+    const auto b = point_of(reader, q);
+    return compare_one_root(OneRoot{a.ay, a.by, a.d}, a.c, OneRoot{b.ay, b.by, b.d}, b.c);
+  });
+}
+
+Sign compare_y_to_centre(const CircularPools& pools, const CircularPoint& p, std::uint32_t circle) {
+  return with_reader(grid_of(pools, p, circle), [&](const auto& reader) {
+    return compare_y_to_centre(point_of(reader, p), reader.circle(circle));
+  });
+}
+
+Sign side(const CircularPools& pools, const CircularPoint& p, std::uint32_t support) {
+  return with_reader(grid_of(pools, p, support), [&](const auto& reader) {
+    const auto point = point_of(reader, p);
+    return with_support(reader, support, [&](const auto& s) { return side(point, s); });
+  });
+}
+
+Sign turn(const CircularPools& pools, const CircularPoint& p, std::uint32_t a, std::uint32_t b) {
+  Grid grid = grid_of(pools, p, a);
+  grid.add_support(b);
+  return with_reader(grid, [&](const auto& reader) {
+    const auto point = point_of(reader, p);
+    return with_support(reader, a, [&](const auto& one) {
+      return with_support(reader, b, [&](const auto& two) { return turn(point, one, two); });
+    });
+  });
+}
+
+Crossing crossing(const CircularPools& pools, std::uint32_t a, std::uint32_t b) {
+  Grid grid(pools);
+  grid.add_support(a);
+  grid.add_support(b);
+  return with_reader(grid, [&](const auto& reader) { return rounded_crossing(reader, crossing_of(reader, a, b)); });
+}
+
+bool same_support(const CircularPools& pools, std::uint32_t a, std::uint32_t b) {
+  if (pools.supports[a].is_line() != pools.supports[b].is_line()) return false;
+  Grid grid(pools);
+  grid.add_support(a);
+  grid.add_support(b);
+  return with_reader(grid, [&](const auto& reader) {
+    if (pools.supports[a].is_line()) {
+      const auto one = reader.line(a);
+      const auto two = reader.line(b);
+      const auto dx = one.end_x - one.x;
+      const auto dy = one.end_y - one.y;
+      return (dx * (two.y - one.y) - dy * (two.x - one.x)).sign() == Sign::zero &&
+             (dx * (two.end_y - one.y) - dy * (two.end_x - one.x)).sign() == Sign::zero;
+    }
+    const auto one = reader.circle(a);
+    const auto two = reader.circle(b);
+    return (one.x - two.x).sign() == Sign::zero && (one.y - two.y).sign() == Sign::zero &&
+           (one.squared_radius - two.squared_radius).sign() == Sign::zero;
+  });
+}
+
+CircularPoint approximate(const CircularPools& pools, const CircularPoint& p) {
+  Grid grid(pools);
+  grid.add_point(p);
+  const Crossing numbers =
+      with_reader(grid, [&](const auto& reader) { return rounded_crossing(reader, point_of(reader, p)); });
+  CircularPoint result = p;
+  result.x = numbers.middle_x + numbers.half_x;
+  result.y = numbers.middle_y + numbers.half_y;
+  return result;
+}
+
+}  // namespace circular_exact
+}  // namespace quoin
