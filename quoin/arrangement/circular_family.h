@@ -21,18 +21,45 @@ namespace quoin {
 /// x-extremes, or a line. Predicates: doubles with a certified error (filter), then exact arithmetic
 /// (circular_exact.h).
 ///
-/// Supports enter through the functions of circular_input.h; coordinates and radii must be zero or between 2^-200 and
-/// 2^200 in magnitude, so that no product in a filter leaves the range of doubles.
+/// Coordinates must be zero or, like radii, between 2^-200 and 2^200 in magnitude, so that no product in a filter
+/// leaves the range of doubles. What adds is told a `name` for the message of the InputError with which it refuses.
 class CircularFamily {
  public:
   using Surface = BoundedPlane;
   using Position = Point2;
   using Point = CircularPoint;
+  static constexpr bool meets_transversally = false;
   /// What ids of an absorbed family were moved by.
   struct Shift {
     std::uint32_t supports = 0;
     std::uint32_t points = 0;
   };
+
+  using Pieces = PieceList<CircularFamily>;
+  enum class Direction : std::uint8_t { counterclockwise, clockwise };
+
+  // Input curves, cut at x-extremes. Where one is refused, the list is as before.
+
+  /// Runs counterclockwise: lower half, then upper half.
+  CurveId add_circle(Pieces& list, const Point2& centre, double radius, std::string_view name = "circle");
+  CurveId add_circle(Pieces& list, const RationalCircle& circle, std::string_view name = "circle");
+  CurveId add_segment(Pieces& list, const Point2& from, const Point2& to, std::string_view name = "segment");
+  CurveId add_segment(Pieces& list, const RationalPoint2& from, const RationalPoint2& to,
+                      std::string_view name = "segment");
+  /// The arc of a circle between two different points, which must lie on it exactly.
+  CurveId add_arc(Pieces& list, const Point2& centre, double radius, const Point2& from, const Point2& to,
+                  Direction direction, std::string_view name = "arc");
+  CurveId add_arc(Pieces& list, const RationalCircle& circle, const RationalPoint2& from, const RationalPoint2& to,
+                  Direction direction, std::string_view name = "arc");
+  /// On a support that is there already.
+  CurveId add_arc(Pieces& list, CircularSupportId circle, Point from, Point to, Direction direction,
+                  std::string_view name = "arc");
+  /// The arc whose `bulge` is the tangent of a quarter of its angle, counterclockwise if positive: its circle is
+  /// rational. A segment if it is zero.
+  CurveId add_bulge_arc(Pieces& list, const Point2& from, const Point2& to, double bulge,
+                        std::string_view name = "arc");
+  CurveId add_point(Pieces& list, const Point2& point, std::string_view name = "point");
+  CurveId add_point(Pieces& list, const RationalPoint2& point, std::string_view name = "point");
 
   // Predicates; see CurveFamily.
   Sign compare_xy(const Point& p, const Point& q) const;
@@ -75,13 +102,14 @@ class CircularFamily {
   RationalLine line(CircularSupportId id) const { return pools_.exact_line(static_cast<std::uint32_t>(id.index())); }
   const CircularPools& pools() const { return pools_; }
 
-  // Construction. `name` goes into the message of the InputError if the values are refused.
-  CircularSupportId add_circle_support(const Point2& centre, double radius, std::string_view name);
-  CircularSupportId add_circle_support(const RationalCircle& circle, std::string_view name);
-  CircularSupportId add_line_support(const Point2& a, const Point2& b, std::string_view name);
-  CircularSupportId add_line_support(const RationalPoint2& a, const RationalPoint2& b, std::string_view name);
-  Point add_point(const Point2& p, std::string_view name);
-  Point add_point(const RationalPoint2& p, std::string_view name);
+  // Supports and points by themselves.
+
+  CircularSupportId add_circle_support(const Point2& centre, double radius, std::string_view name = "circle");
+  CircularSupportId add_circle_support(const RationalCircle& circle, std::string_view name = "circle");
+  CircularSupportId add_line_support(const Point2& a, const Point2& b, std::string_view name = "line");
+  CircularSupportId add_line_support(const RationalPoint2& a, const RationalPoint2& b, std::string_view name = "line");
+  Point point(const Point2& p, std::string_view name = "point");
+  Point point(const RationalPoint2& p, std::string_view name = "point");
   /// A point that asks only: it refers to no support and raises no error.
   static Point query(const Point2& p) {
     Point result;
@@ -97,6 +125,10 @@ class CircularFamily {
   int crossings(CircularSupportId a, CircularSupportId b, Point out[2]) const;
 
  private:
+  CurveId append_circle(Pieces& list, CircularSupportId circle);
+  template <class Coordinates>
+  CurveId append_segment(Pieces& list, const Coordinates& from, const Coordinates& to, std::string_view name);
+  bool walks_upper(CircularSupportId circle, const Point& p, bool leaving) const;
   const CircularSupport& support_of(BranchId branch) const { return pools_.supports[branch.index() / 2]; }
   void raise_magnitude(double value);
   Sign compare_x(const Point& p, const Point& q) const;

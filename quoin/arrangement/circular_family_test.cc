@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "quoin/arrangement/circular_exact.h"
-#include "quoin/arrangement/circular_input.h"
 #include "quoin/arrangement/circular_oracle.h"
 #include "quoin/arrangement/family_suite.h"
 #include "quoin/base/error.h"
@@ -32,22 +31,22 @@ int pick(Random& random, int low, int high) {
 /// A family with one list of curves, the same curves backwards, and what reproduces them.
 struct Scene {
   CircularFamily family;
-  CircularPieces list;
-  CircularPieces backwards;
+  CircularFamily::Pieces list;
+  CircularFamily::Pieces backwards;
   std::ostringstream log;
 
   void circle(const Point2& centre, double radius) {
     log << "circle " << centre.x << ' ' << centre.y << ' ' << radius << '\n';
-    add_circle(family, list, centre, radius);
-    add_circle(family, backwards, centre, radius);
+    family.add_circle(list, centre, radius);
+    family.add_circle(backwards, centre, radius);
     for (std::size_t i = backwards.pieces.size() - 2; i < backwards.pieces.size(); ++i) {
       backwards.pieces[i].reversed = !backwards.pieces[i].reversed;  // a circle has one direction
     }
   }
   void circle(const RationalCircle& c) {
     log << "circle " << c.x.to_string() << ' ' << c.y.to_string() << " r2 " << c.squared_radius.to_string() << '\n';
-    add_circle(family, list, c);
-    add_circle(family, backwards, c);
+    family.add_circle(list, c);
+    family.add_circle(backwards, c);
     for (std::size_t i = backwards.pieces.size() - 2; i < backwards.pieces.size(); ++i) {
       backwards.pieces[i].reversed = !backwards.pieces[i].reversed;
     }
@@ -55,15 +54,15 @@ struct Scene {
   void segment(const Point2& a, const Point2& b) {
     if (a == b) return;
     log << "segment " << a.x << ' ' << a.y << ' ' << b.x << ' ' << b.y << '\n';
-    add_segment(family, list, a, b);
-    add_segment(family, backwards, b, a);
+    family.add_segment(list, a, b);
+    family.add_segment(backwards, b, a);
   }
   void segment(const RationalPoint2& a, const RationalPoint2& b) {
     if (a == b) return;
     log << "segment " << a.x.to_string() << ' ' << a.y.to_string() << ' ' << b.x.to_string() << ' ' << b.y.to_string()
         << '\n';
-    add_segment(family, list, a, b);
-    add_segment(family, backwards, b, a);
+    family.add_segment(list, a, b);
+    family.add_segment(backwards, b, a);
   }
   void arc(const RationalCircle& c, const Point2& a, const Point2& b) {
     if (a == b) return;
@@ -71,14 +70,14 @@ struct Scene {
         << a.x << ' ' << a.y << " to " << b.x << ' ' << b.y << '\n';
     const RationalPoint2 from{a.x, a.y};
     const RationalPoint2 to{b.x, b.y};
-    add_arc(family, list, c, from, to, ArcDirection::counterclockwise);
-    add_arc(family, backwards, c, to, from, ArcDirection::clockwise);
+    family.add_arc(list, c, from, to, CircularFamily::Direction::counterclockwise);
+    family.add_arc(backwards, c, to, from, CircularFamily::Direction::clockwise);
   }
   void bulge(const Point2& a, const Point2& b, double bulge) {
     if (a == b) return;
     log << "bulge " << a.x << ' ' << a.y << ' ' << b.x << ' ' << b.y << ' ' << bulge << '\n';
-    add_bulge_arc(family, list, a, b, bulge);
-    add_bulge_arc(family, backwards, b, a, -bulge);
+    family.add_bulge_arc(list, a, b, bulge);
+    family.add_bulge_arc(backwards, b, a, -bulge);
   }
 };
 
@@ -181,7 +180,7 @@ class Checker {
   }
 
   const CircularFamily& family_;
-  const CircularPieces& list_;
+  const CircularFamily::Pieces& list_;
   CircularOracle oracle_;
   std::vector<CircularPoint> points_;
   std::vector<LongPoint> truth_;

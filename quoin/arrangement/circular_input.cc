@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "quoin/arrangement/circular_input.h"
+#include "quoin/arrangement/circular_family.h"
 
 #include <cmath>
 #include <string>
@@ -46,7 +46,7 @@ RationalPoint2 to_rational(const Point2& p) {
   return {p.x, p.y};
 }
 
-CurveId next_curve(CircularPieces& list) {
+CurveId next_curve(PieceList<CircularFamily>& list) {
   return CurveId(list.curve_count++);
 }
 
@@ -145,16 +145,16 @@ CircularSupportId CircularFamily::add_line_support(const RationalPoint2& a, cons
   return CircularSupportId(pools_.supports.size() - 1);
 }
 
-CircularPoint CircularFamily::add_point(const Point2& p, std::string_view name) {
+CircularPoint CircularFamily::point(const Point2& p, std::string_view name) {
   check_point(p, name);
   raise_magnitude(p.x);
   raise_magnitude(p.y);
   return query(p);
 }
 
-CircularPoint CircularFamily::add_point(const RationalPoint2& p, std::string_view name) {
+CircularPoint CircularFamily::point(const RationalPoint2& p, std::string_view name) {
   const Point2 near{p.x.to_double(), p.y.to_double()};
-  if (is_double(p.x) && is_double(p.y)) return add_point(near, name);
+  if (is_double(p.x) && is_double(p.y)) return point(near, name);
   check_point(near, name);
   raise_magnitude(near.x);
   raise_magnitude(near.y);
@@ -179,24 +179,22 @@ bool CircularFamily::put_on(Point& p, CircularSupportId support) const {
   return true;
 }
 
-namespace {
-
-CurveId append_circle(CircularFamily& family, CircularPieces& list, CircularSupportId circle) {
+CurveId CircularFamily::append_circle(Pieces& list, CircularSupportId circle) {
   const CurveId curve = next_curve(list);
-  const std::uint32_t left = list.add_point(family.extreme(circle, false));
-  const std::uint32_t right = list.add_point(family.extreme(circle, true));
+  const std::uint32_t left = list.add_point(extreme(circle, false));
+  const std::uint32_t right = list.add_point(extreme(circle, true));
   list.pieces.push_back({CircularFamily::lower_half(circle), left, right, curve, false});
   list.pieces.push_back({CircularFamily::upper_half(circle), left, right, curve, true});
   return curve;
 }
 
 template <class Coordinates>
-CurveId append_segment(CircularFamily& family, CircularPieces& list, const Coordinates& from, const Coordinates& to,
-                       std::string_view name) {
-  const CircularSupportId line = family.add_line_support(from, to, name);
-  CircularPoint ends[2] = {family.add_point(from, name), family.add_point(to, name)};
+CurveId CircularFamily::append_segment(Pieces& list, const Coordinates& from, const Coordinates& to,
+                                       std::string_view name) {
+  const CircularSupportId line = add_line_support(from, to, name);
+  CircularPoint ends[2] = {point(from, name), point(to, name)};
   for (CircularPoint& end : ends) end.first = static_cast<std::uint32_t>(line.index());
-  const bool reversed = family.compare_xy(ends[1], ends[0]) == Sign::negative;
+  const bool reversed = compare_xy(ends[1], ends[0]) == Sign::negative;
   const std::uint32_t left = list.add_point(ends[reversed ? 1 : 0]);
   const std::uint32_t right = list.add_point(ends[reversed ? 0 : 1]);
   const CurveId curve = next_curve(list);
@@ -205,51 +203,47 @@ CurveId append_segment(CircularFamily& family, CircularPieces& list, const Coord
 }
 
 /// Of a point on a circle, which half a counterclockwise walk goes on (`leaving`) or comes from.
-bool walks_upper(const CircularFamily& family, CircularSupportId circle, const CircularPoint& p, bool leaving) {
-  const CircularPoint left = family.extreme(circle, false);
-  if (family.compare_xy(p, left) == Sign::zero) return !leaving;
-  const CircularPoint right = family.extreme(circle, true);
-  if (family.compare_xy(p, right) == Sign::zero) return leaving;
-  return family.compare_y_at_x(p, CircularFamily::upper_half(circle)) == Sign::zero;
+bool CircularFamily::walks_upper(CircularSupportId circle, const Point& p, bool leaving) const {
+  const CircularPoint left = extreme(circle, false);
+  if (compare_xy(p, left) == Sign::zero) return !leaving;
+  const CircularPoint right = extreme(circle, true);
+  if (compare_xy(p, right) == Sign::zero) return leaving;
+  return compare_y_at_x(p, CircularFamily::upper_half(circle)) == Sign::zero;
 }
 
-}  // namespace
-
-CurveId add_circle(CircularFamily& family, CircularPieces& list, const Point2& centre, double radius,
-                   std::string_view name) {
-  return append_circle(family, list, family.add_circle_support(centre, radius, name));
+CurveId CircularFamily::add_circle(Pieces& list, const Point2& centre, double radius, std::string_view name) {
+  return append_circle(list, add_circle_support(centre, radius, name));
 }
 
-CurveId add_circle(CircularFamily& family, CircularPieces& list, const RationalCircle& circle, std::string_view name) {
-  return append_circle(family, list, family.add_circle_support(circle, name));
+CurveId CircularFamily::add_circle(Pieces& list, const RationalCircle& circle, std::string_view name) {
+  return append_circle(list, add_circle_support(circle, name));
 }
 
-CurveId add_segment(CircularFamily& family, CircularPieces& list, const Point2& from, const Point2& to,
-                    std::string_view name) {
-  return append_segment(family, list, from, to, name);
+CurveId CircularFamily::add_segment(Pieces& list, const Point2& from, const Point2& to, std::string_view name) {
+  return append_segment(list, from, to, name);
 }
 
-CurveId add_segment(CircularFamily& family, CircularPieces& list, const RationalPoint2& from, const RationalPoint2& to,
-                    std::string_view name) {
-  return append_segment(family, list, from, to, name);
+CurveId CircularFamily::add_segment(Pieces& list, const RationalPoint2& from, const RationalPoint2& to,
+                                    std::string_view name) {
+  return append_segment(list, from, to, name);
 }
 
-CurveId add_arc(CircularFamily& family, CircularPieces& list, CircularSupportId circle, CircularPoint from,
-                CircularPoint to, ArcDirection direction, std::string_view name) {
-  if (!family.put_on(from, circle)) refuse(name, "its start does not lie on the circle");
-  if (!family.put_on(to, circle)) refuse(name, "its end does not lie on the circle");
-  if (family.compare_xy(from, to) == Sign::zero) refuse(name, "its ends are the same point");
-  const bool clockwise = direction == ArcDirection::clockwise;
+CurveId CircularFamily::add_arc(Pieces& list, CircularSupportId circle, CircularPoint from, CircularPoint to,
+                                Direction direction, std::string_view name) {
+  if (!put_on(from, circle)) refuse(name, "its start does not lie on the circle");
+  if (!put_on(to, circle)) refuse(name, "its end does not lie on the circle");
+  if (compare_xy(from, to) == Sign::zero) refuse(name, "its ends are the same point");
+  const bool clockwise = direction == Direction::clockwise;
   if (clockwise) std::swap(from, to);
   const CurveId curve = next_curve(list);
-  const bool last_upper = walks_upper(family, circle, to, false);
-  bool upper = walks_upper(family, circle, from, true);
+  const bool last_upper = walks_upper(circle, to, false);
+  bool upper = walks_upper(circle, from, true);
   CircularPoint here = from;
   std::uint32_t here_index = list.add_point(from);
   while (true) {
     // The lower half is walked to the right, the upper half to the left.
-    const bool last = upper == last_upper && family.compare_xy(here, to) == (upper ? Sign::positive : Sign::negative);
-    const CircularPoint next = last ? to : family.extreme(circle, !upper);
+    const bool last = upper == last_upper && compare_xy(here, to) == (upper ? Sign::positive : Sign::negative);
+    const CircularPoint next = last ? to : extreme(circle, !upper);
     const std::uint32_t next_index = list.add_point(next);
     const BranchId branch = upper ? CircularFamily::upper_half(circle) : CircularFamily::lower_half(circle);
     const std::uint32_t left = upper ? next_index : here_index;
@@ -262,27 +256,27 @@ CurveId add_arc(CircularFamily& family, CircularPieces& list, CircularSupportId 
   }
 }
 
-CurveId add_arc(CircularFamily& family, CircularPieces& list, const Point2& centre, double radius, const Point2& from,
-                const Point2& to, ArcDirection direction, std::string_view name) {
-  const CircularSupportId circle = family.add_circle_support(centre, radius, name);
-  return add_arc(family, list, circle, family.add_point(from, name), family.add_point(to, name), direction, name);
+CurveId CircularFamily::add_arc(Pieces& list, const Point2& centre, double radius, const Point2& from, const Point2& to,
+                                Direction direction, std::string_view name) {
+  const CircularSupportId circle = add_circle_support(centre, radius, name);
+  return add_arc(list, circle, point(from, name), point(to, name), direction, name);
 }
 
-CurveId add_arc(CircularFamily& family, CircularPieces& list, const RationalCircle& circle, const RationalPoint2& from,
-                const RationalPoint2& to, ArcDirection direction, std::string_view name) {
+CurveId CircularFamily::add_arc(Pieces& list, const RationalCircle& circle, const RationalPoint2& from,
+                                const RationalPoint2& to, Direction direction, std::string_view name) {
   if (squared_distance(circle, from) != circle.squared_radius) refuse(name, "its start does not lie on the circle");
   if (squared_distance(circle, to) != circle.squared_radius) refuse(name, "its end does not lie on the circle");
-  const CircularSupportId id = family.add_circle_support(circle, name);
-  return add_arc(family, list, id, family.add_point(from, name), family.add_point(to, name), direction, name);
+  const CircularSupportId id = add_circle_support(circle, name);
+  return add_arc(list, id, point(from, name), point(to, name), direction, name);
 }
 
-CurveId add_bulge_arc(CircularFamily& family, CircularPieces& list, const Point2& from, const Point2& to, double bulge,
-                      std::string_view name) {
+CurveId CircularFamily::add_bulge_arc(Pieces& list, const Point2& from, const Point2& to, double bulge,
+                                      std::string_view name) {
   check_value(bulge, name, "bulge");
   check_point(from, name);
   check_point(to, name);
   if (from == to) refuse(name, "its ends are the same point");
-  if (bulge == 0) return add_segment(family, list, from, to, name);
+  if (bulge == 0) return add_segment(list, from, to, name);
   const RationalPoint2 p = to_rational(from);
   const RationalPoint2 q = to_rational(to);
   const Rational b(bulge);
@@ -290,19 +284,18 @@ CurveId add_bulge_arc(CircularFamily& family, CircularPieces& list, const Point2
   const Rational half(0.5);
   RationalCircle circle{(p.x + q.x) * half - (q.y - p.y) * height, (p.y + q.y) * half + (q.x - p.x) * height, 0};
   circle.squared_radius = squared_distance(circle, p);
-  return add_arc(family, list, circle, p, q, bulge > 0 ? ArcDirection::counterclockwise : ArcDirection::clockwise,
-                 name);
+  return add_arc(list, circle, p, q, bulge > 0 ? Direction::counterclockwise : Direction::clockwise, name);
 }
 
-CurveId add_point(CircularFamily& family, CircularPieces& list, const Point2& point, std::string_view name) {
-  const std::uint32_t index = list.add_point(family.add_point(point, name));
+CurveId CircularFamily::add_point(Pieces& list, const Point2& p, std::string_view name) {
+  const std::uint32_t index = list.add_point(point(p, name));
   const CurveId curve = next_curve(list);
   list.lone_points.push_back({index, curve});
   return curve;
 }
 
-CurveId add_point(CircularFamily& family, CircularPieces& list, const RationalPoint2& point, std::string_view name) {
-  const std::uint32_t index = list.add_point(family.add_point(point, name));
+CurveId CircularFamily::add_point(Pieces& list, const RationalPoint2& p, std::string_view name) {
+  const std::uint32_t index = list.add_point(point(p, name));
   const CurveId curve = next_curve(list);
   list.lone_points.push_back({index, curve});
   return curve;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "quoin/base/id.h"
+#include "quoin/kernel/rational_point.h"
 #include "quoin/number/rational.h"
 
 namespace quoin {
@@ -51,12 +52,6 @@ struct RationalLine {
   Rational y;
   Rational end_x;
   Rational end_y;
-};
-
-struct RationalPoint2 {
-  Rational x;
-  Rational y;
-  friend bool operator==(const RationalPoint2&, const RationalPoint2&) = default;
 };
 
 /// Everything that points and branches refer to; grows only.

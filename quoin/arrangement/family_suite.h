@@ -141,6 +141,7 @@ class FamilyLaws {
       const Point& p = common[k].point;
       ASSERT_TRUE(equal(p, swapped[k].point)) << "symmetry of meetings";
       ASSERT_EQ(common[k].crosses, swapped[k].crosses) << "symmetry of crosses";
+      ASSERT_TRUE(common[k].crosses || !F::meets_transversally) << "a family of curves that always cross";
       if (k > 0) {
         ASSERT_TRUE(before(common[k - 1].point, p)) << "meetings in order";
       }

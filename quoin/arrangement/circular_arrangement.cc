@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quoin/arrangement/circular_arrangement.h"
+
+#include "quoin/arrangement/arrangement_impl.h"
+
+namespace quoin {
+
+template class Sweep<CircularFamily>;
+template class Arrangement<CircularFamily>;
+template Arrangement<CircularFamily> arrange(CircularFamily, const PieceList<CircularFamily>&, const Context&);
+
+}  // namespace quoin
