@@ -17,41 +17,40 @@ constexpr double u = 0x1p-53;
 
 }  // namespace
 
-/// Differences d = c2 - c1 have a relative error of u, d.d of 4u, q = (r1 - r2)(r1 + r2) of 3u, so that
-///   e(k) <= 5u d.d + 4u |q| + u |k| < 8u (d.d + |q|),
-///   e(D) <= 2 |k| e(k) + e(k)^2 + 8u 4 d.d r1^2 + 2u (4 d.d r1^2 + k^2) < 4 |k| e(k) + 48u d.d r1^2.
-/// A rational circle has its centre within u M and its radius within 2u: differences err by 2u M more, d.d by 6u M d,
-/// q by 8u r^2; with L = r1^2 + r2^2 + M d that adds 16u L to e(k) and 64u r1^2 L to e(D).
+/// Differences d = c2 - c1 have a relative error of u, or 2u with tails, d.d of 5u, q = r1^2 - r2^2, from squares with
+/// their tails, of 3u, so that
+///   e(k) <= 6u d.d + 4u |q| + u |k| < 8u (d.d + |q|),
+///   e(D) <= 2 |k| e(k) + e(k)^2 + 9u 4 d.d r1^2 + 2u (4 d.d r1^2 + k^2) < 4 |k| e(k) + 48u d.d r1^2.
+/// Beyond the tails: rational differences err by 3u^2 M more, d.d by 9u^2 M d, q by 4u^2 (r1^2 + r2^2);
+/// with L = u (r1^2 + r2^2 + M d) that adds 16u L to e(k) and 64u r1^2 L to e(D).
 /// The middle c1 + k d / (2 d.d) and the half D^(1/2) d' / (2 d.d) have lengths that are legs of a triangle with the
 /// hypotenuse r1. Their errors: e(k) / (2 d), e(D) / (2 d (D^(1/2) + (D - e(D))^(1/2))) < 0.3 e(D) / (d D^(1/2)) for
-/// e(D) < D / 2, roundings below 30u M, and of a rational centre 32 u M r1 / d.
+/// e(D) < D / 2, roundings below 30u M, and of a rational centre 32 u^2 M r1 / d.
 CircularFamily::Certainty CircularFamily::cross_circles(const CircularSupport& a, const CircularSupport& b,
                                                         RoundedCrossing& out) const {
-  const bool loose = a.form != CircularForm::radius || b.form != CircularForm::radius;
-  const double dx = b.x - a.x;
-  const double dy = b.y - a.y;
+  const bool rational = a.is_rational() || b.is_rational();
+  const double dx = (b.x - a.x) + (b.x_tail - a.x_tail);
+  const double dy = (b.y - a.y) + (b.y_tail - a.y_tail);
   const double d2 = dx * dx + dy * dy;
-  const double q = (a.radius - b.radius) * (a.radius + b.radius);
-  const double k = d2 + q;
   const double r2 = a.squared_radius;
+  const double q = (r2 - b.squared_radius) + (a.squared_radius_tail - b.squared_radius_tail);
+  const double k = d2 + q;
   const double product = 4 * d2 * r2;
   const double discriminant = product - k * k;
   double error_k = 8 * u * (d2 + std::fabs(q));
   double error_d = 4 * std::fabs(k) * error_k + 12 * u * product;
-  if (loose) {
-    const double loose_k =
-        16 * u * (r2 + b.squared_radius + magnitude_ * std::sqrt(d2) + 4 * u * magnitude_ * magnitude_);
-    error_d += (4 * std::fabs(k) + 4 * loose_k + 4 * r2) * loose_k;
-    error_k += loose_k;
-  }
+  const double tails =
+      16 * u * u * (r2 + b.squared_radius + (rational ? magnitude_ * (std::sqrt(d2) + u * magnitude_) : 0));
+  error_d += 4 * (std::fabs(k) + tails + r2) * tails;
+  error_k += tails;
   if (discriminant < -error_d) return Certainty::none;
   if (!(discriminant > 2 * error_d)) return Certainty::unknown;
   const double root = std::sqrt(discriminant);
   const double d = std::sqrt(d2);
-  double error = (0.5 * error_k + 0.3 * error_d / root) + 40 * u * magnitude_ * d;
-  if (loose) {
-    error += 32 * u * magnitude_ * a.radius;
-    if (std::fabs(dy) < error_ && (a.is_rational() || b.is_rational())) return Certainty::unknown;  // sign of dy
+  double error = 0.5 * error_k + 0.3 * error_d / root + 40 * u * magnitude_ * d;
+  if (rational) {
+    error += 32 * u * u * magnitude_ * a.radius;
+    if (std::fabs(dy) < 8 * u * u * magnitude_) return Certainty::unknown;  // its sign
   }
   if (!(error < 126 * u * magnitude_ * d)) return Certainty::unknown;
   const double scale = 0.5 / d2;
@@ -61,21 +60,21 @@ CircularFamily::Certainty CircularFamily::cross_circles(const CircularSupport& a
   return Certainty::certified;
 }
 
-/// n = e x w with e within u and w = c - p within u of themselves: e(n) <= 4u (|e.x w.y| + |e.y w.x|) + u |n|, and if
-/// one of them is rational 4u M (|e.x| + |e.y|) more. e.e has 4u, r^2 at most 4u: e(D) < 10u r^2 e.e + 3 |n| e(n) + 2
+/// n = e x w with e within u and w = c - p within 2u of themselves: e(n) <= 5u (|e.x w.y| + |e.y w.x|) + u |n|, and if
+/// one of them is rational 4u^2 M (|e.x| + |e.y|) more. e.e has 4u, r^2 has u: e(D) < 8u r^2 e.e + 3 |n| e(n) + 2
 /// e(n)^2. Middle and half err by e(n) / |e|, 0.6 e(D) / (D^(1/2) |e|) and roundings below 30u M.
 CircularFamily::Certainty CircularFamily::cross_circle_line(const CircularSupport& circle, const CircularSupport& line,
                                                             RoundedCrossing& out) const {
   const double dx = line.dx;
   const double dy = line.dy;
-  const double left = dx * (circle.y - line.y);
-  const double right = dy * (circle.x - line.x);
+  const double left = dx * ((circle.y - line.y) + (circle.y_tail - line.y_tail));
+  const double right = dy * ((circle.x - line.x) + (circle.x_tail - line.x_tail));
   const double n = left - right;
   const double d2 = dx * dx + dy * dy;
   const double product = circle.squared_radius * d2;
   const double discriminant = product - n * n;
-  double error_n = 6 * u * (std::fabs(left) + std::fabs(right));
-  if (circle.is_rational() || line.is_rational()) error_n += 4 * u * magnitude_ * (std::fabs(dx) + std::fabs(dy));
+  double error_n = 7 * u * (std::fabs(left) + std::fabs(right));
+  if (circle.is_rational() || line.is_rational()) error_n += 8 * u * u * magnitude_ * (std::fabs(dx) + std::fabs(dy));
   const double error_d = 12 * u * product + (3 * std::fabs(n) + 2 * error_n) * error_n;
   if (discriminant < -error_d) return Certainty::none;
   if (!(discriminant > 2 * error_d)) return Certainty::unknown;
@@ -97,10 +96,10 @@ CircularFamily::Certainty CircularFamily::cross_lines(const CircularSupport& a, 
   const double d = left - right;
   const double error_d = 6 * u * (std::fabs(left) + std::fabs(right));
   if (!(std::fabs(d) > 4 * error_d)) return Certainty::unknown;
-  const double up = (b.x - a.x) * b.dy;
-  const double down = (b.y - a.y) * b.dx;
-  double error_n = 6 * u * (std::fabs(up) + std::fabs(down));
-  if (a.is_rational() || b.is_rational()) error_n += 4 * u * magnitude_ * (std::fabs(b.dx) + std::fabs(b.dy));
+  const double up = ((b.x - a.x) + (b.x_tail - a.x_tail)) * b.dy;
+  const double down = ((b.y - a.y) + (b.y_tail - a.y_tail)) * b.dx;
+  double error_n = 7 * u * (std::fabs(up) + std::fabs(down));
+  if (a.is_rational() || b.is_rational()) error_n += 8 * u * u * magnitude_ * (std::fabs(b.dx) + std::fabs(b.dy));
   const double t = (up - down) / d;
   const double size = std::fabs(a.dx) + std::fabs(a.dy);
   const double error_t = 1.4 * (error_n + std::fabs(t) * error_d) / std::fabs(d) + 4 * u * std::fabs(t);

@@ -1,27 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "quoin/arrangement/circular_exact.h"
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include "quoin/arrangement/circular_kernel.h"
 #include "quoin/number/error_free.h"
 
 namespace quoin {
-
-RationalCircle CircularPools::exact_circle(std::uint32_t support) const {
-  const CircularSupport& s = supports[support];
-  if (s.form == CircularForm::rational_circle) return circles[s.rational];
-  if (s.form == CircularForm::squared_radius) return {s.x, s.y, s.squared_radius};
-  return {s.x, s.y, Rational(s.radius) * Rational(s.radius)};
-}
-
-RationalLine CircularPools::exact_line(std::uint32_t support) const {
-  const CircularSupport& s = supports[support];
-  if (s.form == CircularForm::rational_line) return lines[s.rational];
-  return {s.x, s.y, s.end_x, s.end_y};
-}
 
 namespace circular_exact {
 namespace {
@@ -42,6 +32,7 @@ class Grid {
 
   void add_support(std::uint32_t id) {
     const CircularSupport& s = pools_.supports[id];
+    supports_[support_count_++] = id;
     if (s.is_rational()) {
       rational_ = true;
       return;
@@ -59,6 +50,7 @@ class Grid {
     }
   }
   void add_point(const CircularPoint& p) {
+    if (p.kind == CircularPointKind::rational) rationals_[rational_count_++] = p.rational;
     switch (p.kind) {
       case CircularPointKind::doubles:
         return add_coordinates(p.x, p.y);
@@ -84,6 +76,21 @@ class Grid {
   int low() const { return low_ == unset ? 0 : low_; }
   const CircularPools& pools() const { return pools_; }
 
+  /// A common multiple of all denominators.
+  Integer denominator() const {
+    Integer result(1);
+    const auto add = [&](const Integer& w) { mpz_lcm(result.raw(), result.raw(), w.raw()); };
+    for (std::size_t i = 0; i < support_count_; ++i) {
+      const CircularSupport& s = pools_.supports[supports_[i]];
+      if (s.form == CircularForm::rational_circle) add(pools_.circles[s.rational].w);
+      if (s.form == CircularForm::rational_line) add(pools_.lines[s.rational].w);
+    }
+    for (std::size_t i = 0; i < rational_count_; ++i) add(pools_.points[rationals_[i]].w);
+    const std::size_t present = result.trailing_zeros();
+    if (low() < 0 && present < static_cast<std::size_t>(-low())) result <<= static_cast<std::size_t>(-low()) - present;
+    return result;
+  }
+
  private:
   static constexpr int unset = std::numeric_limits<int>::max();
 
@@ -99,6 +106,10 @@ class Grid {
   }
 
   const CircularPools& pools_;
+  std::array<std::uint32_t, 6> supports_{};   // two crossings and two more
+  std::array<std::uint32_t, 2> rationals_{};  // points
+  std::size_t support_count_ = 0;
+  std::size_t rational_count_ = 0;
   double origin_x_ = 0;
   double origin_y_ = 0;
   double reach_ = 0;
@@ -156,30 +167,62 @@ class GridReader {
   double scale_;
 };
 
-/// Reads operands as rationals.
-class RationalReader {
+/// Reads operands as integers over their common denominator.
+class BigReader {
  public:
-  using Numbers = Rationals;
-  explicit RationalReader(const Grid& grid) : grid_(grid) {}
+  using Numbers = Integers;
+  explicit BigReader(const Grid& grid) : grid_(grid), w_(grid.denominator()) {}
 
-  ExactCircle<Rationals> circle(std::uint32_t id) const {
-    RationalCircle c = grid_.pools().exact_circle(id);
-    return {std::move(c.x), std::move(c.y), std::move(c.squared_radius)};
+  ExactCircle<Integers> circle(std::uint32_t id) const {
+    const CircularSupport& s = grid_.pools().supports[id];
+    if (s.form == CircularForm::rational_circle) {
+      const HomogeneousCircle& c = grid_.pools().circles[s.rational];
+      const Integer factor = factor_of(c.w);
+      return {c.x * factor, c.y * factor, c.square * factor * factor};
+    }
+    if (s.form == CircularForm::squared_radius) {
+      return {scaled(s.x, w_), scaled(s.y, w_), scaled(s.squared_radius, w_ * w_)};
+    }
+    const Integer radius = scaled(s.radius, w_);
+    return {scaled(s.x, w_), scaled(s.y, w_), radius * radius};
   }
-  ExactLine<Rationals> line(std::uint32_t id) const {
-    RationalLine l = grid_.pools().exact_line(id);
-    return {std::move(l.x), std::move(l.y), std::move(l.end_x), std::move(l.end_y)};
+  ExactLine<Integers> line(std::uint32_t id) const {
+    const CircularSupport& s = grid_.pools().supports[id];
+    if (s.form == CircularForm::rational_line) {
+      const HomogeneousLine& l = grid_.pools().lines[s.rational];
+      const Integer factor = factor_of(l.w);
+      return {l.x * factor, l.y * factor, l.end_x * factor, l.end_y * factor};
+    }
+    return {scaled(s.x, w_), scaled(s.y, w_), scaled(s.end_x, w_), scaled(s.end_y, w_)};
   }
-  ExactPoint<Rationals> explicit_point(const CircularPoint& p) const {
-    if (p.kind == CircularPointKind::doubles) return {p.x, p.y, 0, 0, 0, 1};
-    const RationalPoint2& q = grid_.pools().points[p.rational];
-    return {q.x, q.y, 0, 0, 0, 1};
+  ExactPoint<Integers> explicit_point(const CircularPoint& p) const {
+    if (p.kind == CircularPointKind::doubles) {
+      return {scaled(p.x, w_), scaled(p.y, w_), 0, 0, 0, 1};
+    }
+    const HomogeneousPoint& q = grid_.pools().points[p.rational];
+    const Integer factor = factor_of(q.w);
+    return {q.x * factor, q.y * factor, 0, 0, 0, 1};
   }
   const Grid& grid() const { return grid_; }
-  static double unit() { return 1; }
+  const Integer& denominator() const { return w_; }
 
  private:
+  Integer factor_of(const Integer& w) const {
+    Integer result;
+    mpz_divexact(result.raw(), w_.raw(), w.raw());
+    return result;
+  }
+  /// value times w, an integer.
+  static Integer scaled(double value, Integer w) {
+    if (value == 0) return {};
+    const int low = lowest_bit(value);
+    w *= Integer(static_cast<std::int64_t>(std::ldexp(value, -low)));
+    if (low >= 0) return w << static_cast<std::size_t>(low);
+    return w >> static_cast<std::size_t>(-low);
+  }
+
   const Grid& grid_;
+  Integer w_;
 };
 
 /// Calls `use` with the support as a circle or as a line.
@@ -218,45 +261,64 @@ auto with_reader(const Grid& grid, const Use& use) {
     ++thread_counts.wide;
     return use(GridReader<60>(grid));
   }
-  ++thread_counts.rational;
-  return use(RationalReader(grid));
+  ++thread_counts.big;
+  return use(BigReader(grid));
 }
+
+/// value 2^exponent, within 2u of the number it stands for.
+struct Scaled {
+  double value = 0;
+  long exponent = 0;
+};
 
 template <std::size_t Bits>
-double rounded(const BoundedInt<Bits>& value) {
-  return to_double(value);
+Scaled rounded(const BoundedInt<Bits>& value) {
+  return {to_double(value), 0};
 }
-double rounded(const Rational& value) {
-  return value.to_double();
+Scaled rounded(const Integer& value) {
+  Scaled result;
+  result.value = mpz_get_d_2exp(&result.exponent, value.raw());
+  return result;
 }
 
-/// Neither overflow nor underflow spoils it.
-bool is_tame(double value) {
-  return value == 0 || (std::fabs(value) > 0x1p-1000 && std::fabs(value) < 0x1p1000);
+Scaled product(const Scaled& a, const Scaled& b) {
+  return {a.value * b.value, a.exponent + b.exponent};
+}
+double quotient(const Scaled& a, const Scaled& b) {
+  const long exponent = std::clamp(a.exponent - b.exponent, -5000L, 5000L);
+  return std::ldexp(a.value / b.value, static_cast<int>(exponent));
+}
+Scaled root(const Scaled& a) {
+  const long odd = a.exponent & 1;
+  return {std::sqrt(odd != 0 ? 2 * a.value : a.value), (a.exponent - odd) / 2};
+}
+
+/// Unit of the integers that a reader makes, and where they start.
+template <std::size_t B>
+Scaled scale_of(const GridReader<B>& reader) {
+  return {1 / reader.unit(), 0};
+}
+Scaled scale_of(const BigReader& reader) {
+  return rounded(reader.denominator());
 }
 
 /// Each number is rounded once, so that middle and half have a few roundings; both stay below the largest coordinate
-/// plus the radius where the supports meet, and `origin` is added last.
+/// plus the radius where the supports meet, and the origin is added last.
 template <class Reader>
 Crossing rounded_crossing(const Reader& reader, const ExactPoint<typename Reader::Numbers>& p) {
   Crossing result;
   if (p.d.sign() == Sign::zero) return result;
   result.discriminant = p.c.sign();
   if (result.discriminant == Sign::negative) return result;
-  const double d = rounded(p.d);
-  const double c = rounded(p.c);
-  const double ax = rounded(p.ax);
-  const double ay = rounded(p.ay);
-  const double bx = rounded(p.bx);
-  const double by = rounded(p.by);
-  const double root = std::sqrt(c);
-  result.in_range = is_tame(d) && is_tame(c) && is_tame(ax) && is_tame(ay) && is_tame(bx) && is_tame(by) &&
-                    is_tame(bx * root) && is_tame(by * root);
-  const bool shifted = !std::is_same_v<Reader, RationalReader>;
-  result.middle_x = ax / d * reader.unit() + (shifted ? reader.grid().origin_x() : 0);
-  result.middle_y = ay / d * reader.unit() + (shifted ? reader.grid().origin_y() : 0);
-  result.half_x = bx * root / d * reader.unit();
-  result.half_y = by * root / d * reader.unit();
+  const Scaled d = product(rounded(p.d), scale_of(reader));
+  const Scaled c = root(rounded(p.c));
+  constexpr bool shifted = !std::is_same_v<Reader, BigReader>;
+  result.middle_x = quotient(rounded(p.ax), d) + (shifted ? reader.grid().origin_x() : 0);
+  result.middle_y = quotient(rounded(p.ay), d) + (shifted ? reader.grid().origin_y() : 0);
+  result.half_x = quotient(product(rounded(p.bx), c), d);
+  result.half_y = quotient(product(rounded(p.by), c), d);
+  result.in_range = std::isfinite(result.middle_x) && std::isfinite(result.middle_y) && std::isfinite(result.half_x) &&
+                    std::isfinite(result.half_y);
   return result;
 }
 

@@ -15,7 +15,7 @@ namespace quoin::circular_exact {
 struct Counts {
   std::uint64_t narrow = 0;  ///< the grid of the call spans 25 bits
   std::uint64_t wide = 0;    ///< 60 bits
-  std::uint64_t rational = 0;
+  std::uint64_t big = 0;     ///< more, or a rational is among the operands
 };
 const Counts& counts();
 

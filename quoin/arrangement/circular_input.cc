@@ -36,6 +36,11 @@ bool is_double(const Rational& value) {
   return Rational(value.to_double()) == value;
 }
 
+/// What rounding cuts off, rounded.
+double tail(const Rational& value) {
+  return (value - Rational(value.to_double())).to_double();
+}
+
 Rational squared_distance(const RationalCircle& circle, const RationalPoint2& p) {
   const Rational x = p.x - circle.x;
   const Rational y = p.y - circle.y;
@@ -60,7 +65,9 @@ CircularSupportId CircularFamily::add_circle_support(const Point2& centre, doubl
   s.x = centre.x;
   s.y = centre.y;
   s.radius = radius;
-  s.squared_radius = radius * radius;
+  const TwoDoubles square = two_product(radius, radius);
+  s.squared_radius = square.value;
+  s.squared_radius_tail = square.tail;
   s.form = CircularForm::radius;
   for (const double value : {s.x, s.y, s.radius}) raise_magnitude(value);
   pools_.supports.push_back(s);
@@ -77,6 +84,9 @@ CircularSupportId CircularFamily::add_circle_support(const RationalCircle& circl
   if (!(s.squared_radius >= 0x1p-400)) refuse(name, "radius is below 2^-200");
   if (!(s.squared_radius <= 0x1p400)) refuse(name, "radius is above 2^200");
   s.radius = std::sqrt(s.squared_radius);
+  s.x_tail = tail(circle.x);
+  s.y_tail = tail(circle.y);
+  s.squared_radius_tail = tail(circle.squared_radius);
   s.form = CircularForm::rational_circle;
   if (is_double(circle.x) && is_double(circle.y)) {
     if (Rational(s.radius) * Rational(s.radius) == circle.squared_radius) {
@@ -87,7 +97,7 @@ CircularSupportId CircularFamily::add_circle_support(const RationalCircle& circl
   }
   if (s.form == CircularForm::rational_circle) {
     s.rational = static_cast<std::uint32_t>(pools_.circles.size());
-    pools_.circles.push_back(circle);
+    pools_.circles.emplace_back(circle);
   }
   for (const double value : {s.x, s.y, s.radius}) raise_magnitude(value);
   pools_.supports.push_back(s);
@@ -129,6 +139,8 @@ CircularSupportId CircularFamily::add_line_support(const RationalPoint2& a, cons
   CircularSupport s;
   s.x = from.x.to_double();
   s.y = from.y.to_double();
+  s.x_tail = tail(from.x);
+  s.y_tail = tail(from.y);
   s.end_x = to.x.to_double();
   s.end_y = to.y.to_double();
   s.dx = (to.x - from.x).to_double();
@@ -139,7 +151,7 @@ CircularSupportId CircularFamily::add_line_support(const RationalPoint2& a, cons
   if (!(length >= 0x1p-250)) refuse(name, "its ends are closer than 2^-250");
   if (!s.vertical && std::fabs(s.dx) < 0x1p-600) refuse(name, "it is vertical but for less than 2^-600");
   s.rational = static_cast<std::uint32_t>(pools_.lines.size());
-  pools_.lines.push_back({from.x, from.y, to.x, to.y});
+  pools_.lines.emplace_back(RationalLine{from.x, from.y, to.x, to.y});
   for (const double value : {s.x, s.y, s.end_x, s.end_y}) raise_magnitude(value);
   pools_.supports.push_back(s);
   return CircularSupportId(pools_.supports.size() - 1);
@@ -163,7 +175,7 @@ CircularPoint CircularFamily::point(const RationalPoint2& p, std::string_view na
   result.exact_x = is_double(p.x);
   result.exact_y = is_double(p.y);
   result.rational = static_cast<std::uint32_t>(pools_.points.size());
-  pools_.points.push_back(p);
+  pools_.points.emplace_back(p);
   return result;
 }
 

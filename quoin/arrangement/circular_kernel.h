@@ -26,13 +26,14 @@ struct IntegersOf {
   using Radicand = BoundedInt<4 * B + 9>;
 };
 
-struct Rationals {
-  using Coordinate = Rational;
-  using SquaredRadius = Rational;
-  using Numerator = Rational;
-  using Factor = Rational;
-  using Denominator = Rational;
-  using Radicand = Rational;
+/// Integers of any size.
+struct Integers {
+  using Coordinate = Integer;
+  using SquaredRadius = Integer;
+  using Numerator = Integer;
+  using Factor = Integer;
+  using Denominator = Integer;
+  using Radicand = Integer;
 };
 
 template <class Numbers>

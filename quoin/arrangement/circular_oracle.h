@@ -75,7 +75,7 @@ class CircularOracle {
       case CircularPointKind::doubles:
         return {Rational(p.x), Rational(p.y)};
       case CircularPointKind::rational:
-        return {family_.pools().points[p.rational].x, family_.pools().points[p.rational].y};
+        return {family_.pools().exact_point(p.rational).x, family_.pools().exact_point(p.rational).y};
       case CircularPointKind::extreme: {
         const Circle c = circle(p.first);
         const LongReal r = root(c.r2);

@@ -28,7 +28,10 @@ struct CircularSupport {
   double y = 0;               ///< likewise
   double radius = 0;          ///< within 2u of itself; exact in form `radius`
   double squared_radius = 0;  ///< within u of itself
-  double dx = 0;              ///< direction of a line, lexicographically positive, each within u of itself
+  double x_tail = 0;  ///< what rounding cut off x, y and the squared radius; with it each is within u^2 of itself
+  double y_tail = 0;
+  double squared_radius_tail = 0;
+  double dx = 0;  ///< direction of a line, lexicographically positive, each within u of itself
   double dy = 0;
   double end_x = 0;  ///< the larger of the two points of a line
   double end_y = 0;
@@ -54,15 +57,40 @@ struct RationalLine {
   Rational end_y;
 };
 
+/// Rational data over a common denominator w > 0: a circle with the centre (x, y) / w and the squared radius
+/// `square` / w^2, a line from (x, y) / w to (end_x, end_y) / w, a point (x, y) / w.
+struct HomogeneousCircle {
+  explicit HomogeneousCircle(const RationalCircle& circle);
+  Integer x;
+  Integer y;
+  Integer square;
+  Integer w;
+};
+struct HomogeneousLine {
+  explicit HomogeneousLine(const RationalLine& line);
+  Integer x;
+  Integer y;
+  Integer end_x;
+  Integer end_y;
+  Integer w;
+};
+struct HomogeneousPoint {
+  explicit HomogeneousPoint(const RationalPoint2& point);
+  Integer x;
+  Integer y;
+  Integer w;
+};
+
 /// Everything that points and branches refer to; grows only.
 struct CircularPools {
   std::vector<CircularSupport> supports;
-  std::vector<RationalCircle> circles;
-  std::vector<RationalLine> lines;
-  std::vector<RationalPoint2> points;
+  std::vector<HomogeneousCircle> circles;
+  std::vector<HomogeneousLine> lines;
+  std::vector<HomogeneousPoint> points;
 
   RationalCircle exact_circle(std::uint32_t support) const;
   RationalLine exact_line(std::uint32_t support) const;
+  RationalPoint2 exact_point(std::uint32_t rational) const;
 };
 
 /// What defines a point of a `CircularFamily`.
