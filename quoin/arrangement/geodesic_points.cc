@@ -253,10 +253,11 @@ std::vector<Vector3> GeodesicFamily::flatten(BranchId b, const Point& left, cons
   const Vector3 side{n.y * a.z - n.z * a.y, n.z * a.x - n.x * a.z, n.x * a.y - n.y * a.x};
   const double cosine = a.x * z.x + a.y * z.y + a.z * z.z;
   double angle = std::atan2(side.x * z.x + side.y * z.y + side.z * z.z, cosine);
-  // From -pi to 2 pi the longitudes say which turn is meant; near 0 it may come out a rounding error below.
-  const bool is_long = right.longitude_key - left.longitude_key > 1;
-  if (angle < 0) angle = is_long || angle < -1 ? angle + 2 * pi : 0;
+  if (angle < 0) angle += 2 * pi;
+  // The turn is more than half of one exactly where the longitudes differ by more than pi; that tells 0 from 2 pi.
+  const bool is_long = right.longitude_key - left.longitude_key > 2;
   if (is_long && angle < 1) angle = 2 * pi;
+  if (!is_long && angle > 2 * pi - 1) angle = 0;
   const double step = max_angle > 1e-4 ? max_angle : 1e-4;
   const auto count = static_cast<std::size_t>(std::ceil(angle / step));
   std::vector<Vector3> result{a};
