@@ -45,26 +45,49 @@ void store(const SphereDirection& direction, std::size_t axis, std::span<std::ui
 }  // namespace
 
 std::uint32_t DirectionPool::insert(const SphereDirection& direction) {
+  append(direction);
+  return settle_last();
+}
+
+std::vector<std::uint32_t> DirectionPool::absorb(const DirectionPool& other) {
+  std::vector<std::uint32_t> numbers;
+  const std::size_t count = other.size();
+  numbers.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    append(other, static_cast<std::uint32_t>(i));
+    numbers.push_back(settle_last());
+  }
+  return numbers;
+}
+
+std::uint32_t DirectionPool::append(const SphereDirection& direction) {
   const std::uint32_t length = length_for(direction.bits());
   const std::size_t offset = limbs_.size();
   limbs_.resize(offset + 3 * std::size_t{length});
   for (std::size_t axis = 0; axis < 3; ++axis) {
     store(direction, axis, std::span(limbs_).subspan(offset + axis * length, length));
   }
-  return settle(offset, length, direction.bits());
+  entries_.push_back({offset, length, direction.bits()});
+  return static_cast<std::uint32_t>(entries_.size() - 1);
 }
 
-std::vector<std::uint32_t> DirectionPool::absorb(const DirectionPool& other) {
-  std::vector<std::uint32_t> numbers;
-  numbers.reserve(other.size());
-  for (std::size_t i = 0; i < other.size(); ++i) {
-    const Entry entry = other.entries_[i];
-    const std::size_t offset = limbs_.size();
-    limbs_.resize(offset + 3 * std::size_t{entry.length});
-    std::ranges::copy(other.limbs_of(entry), limbs_.begin() + static_cast<std::ptrdiff_t>(offset));
-    numbers.push_back(settle(offset, entry.length, entry.bits));
-  }
-  return numbers;
+std::uint32_t DirectionPool::append(const DirectionPool& other, std::uint32_t index) {
+  Entry entry = other.entries_[index];
+  const std::size_t offset = limbs_.size();
+  limbs_.resize(offset + 3 * std::size_t{entry.length});
+  std::ranges::copy(other.limbs_of(entry), limbs_.begin() + static_cast<std::ptrdiff_t>(offset));
+  entry.offset = offset;
+  entries_.push_back(entry);
+  return static_cast<std::uint32_t>(entries_.size() - 1);
+}
+
+void DirectionPool::remove_last() {
+  limbs_.resize(entries_.back().offset);
+  entries_.pop_back();
+}
+
+bool DirectionPool::has_same_integers(std::uint32_t a, std::uint32_t b) const {
+  return std::ranges::equal(limbs_of(entries_[a]), limbs_of(entries_[b]));
 }
 
 Sign DirectionPool::sign(std::uint32_t index, std::size_t axis) const {
@@ -88,28 +111,29 @@ void DirectionPool::load(std::uint32_t index, std::size_t axis, Integer& out) co
   mpz_neg(out.raw(), out.raw());
 }
 
-std::uint32_t DirectionPool::settle(std::size_t offset, std::uint32_t length, unsigned bits) {
-  if (2 * (entries_.size() + 1) > table_.size()) grow_table();
-  const Entry added{offset, length, bits, hash_of({limbs_.data() + offset, 3 * std::size_t{length}})};
+std::uint32_t DirectionPool::settle_last() {
+  if (2 * entries_.size() > table_.size()) grow_table();
+  const auto last = static_cast<std::uint32_t>(entries_.size() - 1);
+  const std::uint64_t hash = hash_of(limbs_of(entries_[last]));
   const std::size_t mask = table_.size() - 1;
-  std::size_t slot = added.hash & mask;
+  std::size_t slot = hash & mask;
   for (; table_[slot] != 0; slot = (slot + 1) & mask) {
-    const Entry& known = entries_[table_[slot] - 1];
-    if (known.hash == added.hash && std::ranges::equal(limbs_of(known), limbs_of(added))) {
-      limbs_.resize(offset);
-      return table_[slot] - 1;
+    const std::uint32_t known = table_[slot] - 1;
+    if (hashes_[known] == hash && has_same_integers(known, last)) {
+      remove_last();
+      return known;
     }
   }
-  entries_.push_back(added);
-  table_[slot] = static_cast<std::uint32_t>(entries_.size());
-  return table_[slot] - 1;
+  hashes_.push_back(hash);
+  table_[slot] = last + 1;
+  return last;
 }
 
 void DirectionPool::grow_table() {
-  table_.assign(std::max<std::size_t>(16, 2 * table_.size()), 0);
+  table_.assign(std::max<std::size_t>(64, 2 * table_.size()), 0);
   const std::size_t mask = table_.size() - 1;
-  for (std::size_t i = 0; i < entries_.size(); ++i) {
-    std::size_t slot = entries_[i].hash & mask;
+  for (std::size_t i = 0; i < hashes_.size(); ++i) {
+    std::size_t slot = hashes_[i] & mask;
     while (table_[slot] != 0) slot = (slot + 1) & mask;
     table_[slot] = static_cast<std::uint32_t>(i + 1);
   }

@@ -10,6 +10,7 @@
 #include "quoin/arrangement/curve_family.h"
 #include "quoin/arrangement/direction_pool.h"
 #include "quoin/arrangement/pieces.h"
+#include "quoin/arrangement/plane_index.h"
 #include "quoin/arrangement/sphere_direction.h"
 #include "quoin/arrangement/surface.h"
 #include "quoin/base/sign.h"
@@ -162,7 +163,10 @@ class GeodesicFamily {
 
   // Supports and points (geodesic_points.cc).
   std::uint32_t add_support(const SphereDirection& canonical);
+  /// Keeps the last normal as a new support, or takes it away if its plane is known.
+  std::uint32_t settle_support(const Support& added);
   Support make_support(std::uint32_t index) const;
+  bool are_parallel(std::uint32_t a, std::uint32_t b) const;
   Point direction_point(const SphereDirection& direction);
   /// The end on the bottom or top side at the longitude of a horizontal direction.
   Point pole_end(const SphereDirection& horizontal, Side side);
@@ -186,6 +190,8 @@ class GeodesicFamily {
   Point vertical_meeting(BranchId vertical, BranchId other) const;
 
   // Input (geodesic_input.cc).
+  CurveId add_checked_arc(PieceList<GeodesicFamily>& list, const SphereDirection& source, const SphereDirection& target,
+                          const SphereDirection& normal);
   struct Tour;
   void add_flat(const Tour& tour, const Point& from, const Point& to);
   void add_vertical(const Tour& tour, const Point& from, const Point& to);
@@ -193,6 +199,7 @@ class GeodesicFamily {
 
   DirectionPool directions_;  ///< of the input and of cuts
   DirectionPool normals_;     ///< of supports, with their numbers
+  PlaneIndex planes_;         ///< finds supports by their normals
   std::vector<Support> supports_;
 };
 

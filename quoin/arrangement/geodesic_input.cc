@@ -61,7 +61,7 @@ CurveId GeodesicFamily::add_arc(PieceList<GeodesicFamily>& list, const SphereDir
   if (!normal.is_valid()) {
     refuse(list, "source and target are equal or antipodal, which leaves the plane of the arc open; give its normal");
   }
-  return add_arc(list, source, target, normal);
+  return add_checked_arc(list, source, target, normal);
 }
 
 CurveId GeodesicFamily::add_arc(PieceList<GeodesicFamily>& list, const SphereDirection& source,
@@ -71,6 +71,11 @@ CurveId GeodesicFamily::add_arc(PieceList<GeodesicFamily>& list, const SphereDir
   require_direction(list, normal, "the normal");
   if (dot_sign(normal, source) != Sign::zero) refuse(list, "the source is not on the plane of the arc");
   if (dot_sign(normal, target) != Sign::zero) refuse(list, "the target is not on the plane of the arc");
+  return add_checked_arc(list, source, target, normal);
+}
+
+CurveId GeodesicFamily::add_checked_arc(PieceList<GeodesicFamily>& list, const SphereDirection& source,
+                                        const SphereDirection& target, const SphereDirection& normal) {
   Tour tour(list, normal);
   tour.support = add_support(tour.normal);
   const Point from = direction_point(tour.backward ? target : source);

@@ -42,7 +42,11 @@ Rounded rounded(const Number& value) {
 /// a 2^shift, never zero by underflow.
 double scaled(const Rounded& a, std::int64_t shift) {
   if (a.mantissa == 0) return 0;
-  const double value = std::ldexp(a.mantissa, static_cast<int>(std::max<std::int64_t>(a.exponent + shift, -4000)));
+  const std::int64_t exponent = a.exponent + shift;
+  if (exponent > -1000 && exponent < 900) {
+    return a.mantissa * std::bit_cast<double>(static_cast<std::uint64_t>(1023 + exponent) << 52);
+  }
+  const double value = std::ldexp(a.mantissa, static_cast<int>(std::max<std::int64_t>(exponent, -4000)));
   return value != 0 ? value : std::copysign(0x1p-1074, a.mantissa);
 }
 
@@ -89,9 +93,30 @@ GeodesicFamily::GeodesicFamily() {
 }
 
 std::uint32_t GeodesicFamily::add_support(const SphereDirection& canonical) {
-  const std::uint32_t index = normals_.insert(canonical);
-  if (index == supports_.size()) supports_.push_back(make_support(index));
-  return index;
+  return settle_support(make_support(normals_.append(canonical)));
+}
+
+std::uint32_t GeodesicFamily::settle_support(const Support& added) {
+  const auto last = static_cast<std::uint32_t>(supports_.size());
+  supports_.push_back(added);
+  const std::uint32_t known = planes_.find(added.normal, [&](std::uint32_t i) { return are_parallel(i, last); });
+  if (known == PlaneIndex::none) {
+    planes_.add(added.normal, last);
+    return last;
+  }
+  supports_.pop_back();
+  normals_.remove_last();
+  return known;
+}
+
+bool GeodesicFamily::are_parallel(std::uint32_t a, std::uint32_t b) const {
+  if (normals_.has_same_integers(a, b)) return true;
+  return with_tier(std::max(supports_[a].tier, supports_[b].tier), [&]<class Tier>(Tier) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (geodesic_exact::cross_component<Tier>(normals_, a, b, axis).sign() != Sign::zero) return false;
+    }
+    return true;
+  });
 }
 
 GeodesicFamily::Support GeodesicFamily::make_support(std::uint32_t index) const {
@@ -127,9 +152,12 @@ void GeodesicFamily::place_exact(Point& p) const {
       c[axis] = rounded(geodesic_exact::coordinate<Tier>(normals_, directions_, p, axis));
     }
   });
-  p.approximate = normalised(common_scale(c));
-  c[2] = {};
-  if (c[0].mantissa != 0 || c[1].mantissa != 0) {
+  const Vector3 v = common_scale(c);
+  p.approximate = normalised(v);
+  if (std::fmax(std::fabs(v.x), std::fabs(v.y)) > 0x1p-900) {
+    p.longitude_key = folded_angle(v.x, v.y);
+  } else if (!is_at_pole(v)) {
+    c[2] = {};
     const Vector3 horizontal = common_scale(c);
     p.longitude_key = folded_angle(horizontal.x, horizontal.y);
   }
@@ -206,21 +234,24 @@ std::array<Integer, 3> GeodesicFamily::direction(const Point& p) const {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     c[axis] = geodesic_exact::coordinate<geodesic_exact::AnySizeTier>(normals_, directions_, p, axis);
   }
-  return SphereDirection(c).integers();
+  return SphereDirection(c).primitive().integers();
 }
 
 std::array<Integer, 3> GeodesicFamily::normal(BranchId b) const {
   std::array<Integer, 3> n;
   for (std::size_t axis = 0; axis < 3; ++axis) normals_.load(support(b), axis, n[axis]);
-  if (is_vertical(b) && !is_second_half(b)) return {-n[0], -n[1], -n[2]};
-  return n;
+  if (is_vertical(b) && !is_second_half(b)) n = {-n[0], -n[1], -n[2]};
+  return SphereDirection(n).primitive().integers();
 }
 
 GeodesicFamily::Shift GeodesicFamily::absorb(const GeodesicFamily& other) {
-  Shift shift{normals_.absorb(other.normals_), directions_.absorb(other.directions_)};
-  for (std::size_t i = 0; i < shift.supports.size(); ++i) {
-    if (shift.supports[i] == supports_.size()) supports_.push_back(other.supports_[i]);
+  Shift shift;
+  const std::size_t count = other.supports_.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    normals_.append(other.normals_, static_cast<std::uint32_t>(i));
+    shift.supports.push_back(settle_support(Support(other.supports_[i])));
   }
+  shift.directions = directions_.absorb(other.directions_);
   return shift;
 }
 

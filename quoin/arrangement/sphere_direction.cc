@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <numeric>
-#include <utility>
 
 namespace quoin {
 namespace {
@@ -30,27 +28,11 @@ unsigned trailing_zeros(UInt128 value) {
   return 64 + static_cast<unsigned>(std::countr_zero(static_cast<std::uint64_t>(value >> 64)));
 }
 
-UInt128 common_divisor(UInt128 a, UInt128 b) {
-  if (a == 0) return b;
-  if (b == 0) return a;
-  const unsigned twos = trailing_zeros(a | b);
-  a >>= trailing_zeros(a);
-  while (b != 0) {
-    b >>= trailing_zeros(b);
-    if (((a | b) >> 64) == 0) {
-      return static_cast<UInt128>(std::gcd(static_cast<std::uint64_t>(a), static_cast<std::uint64_t>(b))) << twos;
-    }
-    if (a > b) std::swap(a, b);
-    b -= a;
-  }
-  return a << twos;
-}
-
-Integer to_integer(Int128 value) {
+FixedInt<2> to_fixed(Int128 value) {
   FixedInt<2> fixed;
   fixed.set_limb(0, static_cast<std::uint64_t>(value));
   fixed.set_limb(1, static_cast<std::uint64_t>(value >> 64));
-  return quoin::to_integer(fixed);
+  return fixed;
 }
 
 /// Below 2^126 in magnitude.
@@ -69,11 +51,13 @@ struct OddMantissa {
 
 OddMantissa decompose(double value) {
   if (value == 0) return {};
-  int exponent = 0;
-  const double fraction = std::frexp(value, &exponent);
-  const auto mantissa = static_cast<std::int64_t>(fraction * 0x1p53);
-  const int zeros = std::countr_zero(static_cast<std::uint64_t>(mantissa));
-  return {mantissa >> zeros, exponent - 53 + zeros};
+  constexpr std::uint64_t hidden = std::uint64_t{1} << 52;
+  const auto bits = std::bit_cast<std::uint64_t>(value);
+  const int biased = static_cast<int>((bits >> 52) & 0x7FF);
+  const std::uint64_t size = biased == 0 ? bits & (hidden - 1) : (bits & (hidden - 1)) | hidden;
+  const int zeros = std::countr_zero(size);
+  const auto odd = static_cast<std::int64_t>(size >> zeros);
+  return {value < 0 ? -odd : odd, std::max(biased, 1) - 1075 + zeros};
 }
 
 }  // namespace
@@ -117,7 +101,7 @@ SphereDirection::SphereDirection(const std::array<Rational, 3>& vector) {
 }
 
 Integer SphereDirection::integer(std::size_t axis) const {
-  return is_small() ? to_integer(small_[axis]) : big_[axis];
+  return is_small() ? to_integer(to_fixed(small_[axis])) : big_[axis];
 }
 
 SphereDirection SphereDirection::operator-() const {
@@ -127,16 +111,28 @@ SphereDirection SphereDirection::operator-() const {
   return result;
 }
 
+SphereDirection SphereDirection::primitive() const {
+  std::array<Integer, 3> values = integers();
+  Integer divisor;
+  for (const Integer& value : values) mpz_gcd(divisor.raw(), divisor.raw(), value.raw());
+  if (divisor.sign() == Sign::zero) return *this;
+  for (Integer& value : values) mpz_divexact(value.raw(), value.raw(), divisor.raw());
+  return values;
+}
+
 void SphereDirection::reduce() {
   if (is_small()) {
     reduce_small();
     return;
   }
-  Integer divisor;
-  for (const Integer& value : big_) mpz_gcd(divisor.raw(), divisor.raw(), value.raw());
+  std::size_t twos = SIZE_MAX;
+  for (const Integer& value : big_) {
+    if (value.sign() != Sign::zero) twos = std::min(twos, value.trailing_zeros());
+  }
   bits_ = 0;
   for (Integer& value : big_) {
-    if (divisor.sign() != Sign::zero) mpz_divexact(value.raw(), value.raw(), divisor.raw());
+    if (value.sign() == Sign::zero) continue;
+    value >>= twos;
     bits_ = std::max(bits_, static_cast<unsigned>(value.bit_length()));
   }
   if (bits_ > small_bits) return;
@@ -145,17 +141,11 @@ void SphereDirection::reduce() {
 }
 
 void SphereDirection::reduce_small() {
-  UInt128 divisor = 0;
-  for (const Int128 value : small_) {
-    divisor = common_divisor(divisor, magnitude_of(value));
-    if (divisor == 1) break;
-  }
-  UInt128 any = 0;
-  for (Int128& value : small_) {
-    if (divisor > 1) value /= static_cast<Int128>(divisor);
-    any |= magnitude_of(value);
-  }
-  bits_ = bit_width(any);
+  const UInt128 any = magnitude_of(small_[0]) | magnitude_of(small_[1]) | magnitude_of(small_[2]);
+  if (any == 0) return;
+  const unsigned twos = trailing_zeros(any);
+  for (Int128& value : small_) value >>= twos;
+  bits_ = bit_width(any) - twos;
 }
 
 SphereDirection cross(const SphereDirection& a, const SphereDirection& b) {
@@ -174,9 +164,9 @@ SphereDirection cross(const SphereDirection& a, const SphereDirection& b) {
 }
 
 Sign dot_sign(const SphereDirection& a, const SphereDirection& b) {
-  if (a.is_small() && b.is_small() && a.bits() + b.bits() + 2 <= SphereDirection::small_bits) {
-    const Int128 sum = a.small_[0] * b.small_[0] + a.small_[1] * b.small_[1] + a.small_[2] * b.small_[2];
-    return static_cast<Sign>((sum > 0) - (sum < 0));
+  if (a.is_small() && b.is_small()) {
+    const auto term = [&](std::size_t i) { return multiply<4>(to_fixed(a.small_[i]), to_fixed(b.small_[i])); };
+    return (term(0) + term(1) + term(2)).sign();
   }
   Integer sum;
   for (std::size_t i = 0; i < 3; ++i) sum += a.integer(i) * b.integer(i);

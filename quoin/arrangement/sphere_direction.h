@@ -14,8 +14,8 @@
 
 namespace quoin {
 
-/// A direction of space, the ray from the origin through a vector: three integers without a common factor, so equal
-/// directions have equal numbers. Vectors of doubles, integers and rationals convert exactly and are never normalised.
+/// A direction of space: the ray from the origin through three integers without a common factor of two. Vectors of
+/// doubles, integers and rationals convert exactly and are never normalised.
 ///
 /// The zero vector and vectors that are not finite convert too; they are no directions, `is_valid` tells, and whoever
 /// takes a direction as input refuses them by name. Up to 126 bits nothing is allocated.
@@ -47,7 +47,8 @@ class SphereDirection {
   std::array<Integer, 3> integers() const { return {integer(0), integer(1), integer(2)}; }
 
   SphereDirection operator-() const;
-  friend bool operator==(const SphereDirection&, const SphereDirection&) = default;
+  /// The same ray, the integers without any common factor.
+  SphereDirection primitive() const;
 
   /// Direction of the vector product; the zero vector if and only if a and b are equal or opposite.
   friend SphereDirection cross(const SphereDirection& a, const SphereDirection& b);
@@ -59,7 +60,7 @@ class SphereDirection {
   /// Components of at most 126 bits.
   explicit SphereDirection(const Small& vector) : small_(vector) { reduce(); }
 
-  /// Divides by the common factor, moves to the form without allocation where it fits, counts bits.
+  /// Divides by the common power of two, moves to the form without allocation where it fits, counts bits.
   void reduce();
   void reduce_small();
 
