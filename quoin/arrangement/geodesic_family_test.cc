@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <vector>
@@ -51,9 +53,25 @@ struct World {
       add_random_arc();
       add_point(draw_directions.next());
     }
+    for (std::size_t i = 0; i < 2; ++i) add_narrow_pair();
     collect_branches();
     collect_piece_ends();
     add_meetings();
+  }
+
+  /// Two arcs from one source whose planes are nearly parallel: only a common point far from rounding tells their
+  /// order.
+  void add_narrow_pair() {
+    const Triple s = draw_directions.next();
+    const Triple t = draw_directions.next();
+    const Triple change = draw_directions.next();
+    constexpr std::array<int, 4> exponents{44, 52, 60, 130};
+    const Rational tiny(std::ldexp(1.0, -exponents[draw_directions.below(4)]));
+    Triple near;
+    for (std::size_t axis = 0; axis < 3; ++axis) near[axis] = t[axis] + tiny * change[axis];
+    for (const Triple& end : {t, near}) {
+      if (!is_zero(test_geodesics::cross_product(s, end))) family.add_arc(list, s, end);
+    }
   }
 
   void add_random_arc() {
@@ -532,6 +550,41 @@ TEST(GeodesicFamily, EqualCirclesAreOneSupport) {
   EXPECT_TRUE(family.same_branch(list.pieces[0].branch, list.pieces[2].branch));
   EXPECT_TRUE(list.pieces[0].reversed);
   EXPECT_FALSE(list.pieces[1].reversed);
+}
+
+TEST(GeodesicFamily, PlanesAreOneSupportExactlyWhenTheirNormalsAreParallel) {
+  for (const Draw draw : all_draws) {
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+      SCOPED_TRACE(named(draw, seed));
+      Directions directions(draw, seed);
+      GeodesicFamily family;
+      Pieces list;
+      std::vector<Triple> normals;
+      for (int i = 0; i < 20; ++i) {
+        Triple n = directions.next();
+        if (i % 2 != 0) {
+          // A multiple of an earlier one, now and then moved by little.
+          n = normals[directions.below(normals.size())];
+          const Rational factor = Rational(static_cast<int>(directions.below(1000)) + 1) / Rational(7) *
+                                  Rational(directions.below(2) == 0 ? 1 : -1);
+          for (Rational& value : n) value *= factor;
+          if (directions.below(3) == 0) n[directions.below(3)] += Rational(std::ldexp(1.0, -60));
+        }
+        if (is_zero(n)) n[0] = 1;
+        normals.push_back(n);
+        family.add_great_circle(list, n);
+      }
+      std::vector<BranchId> first_branch(normals.size());
+      for (const Piece& piece : list.pieces) first_branch[piece.curve.index()] = piece.branch;
+      for (std::size_t i = 0; i < normals.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+          ASSERT_EQ(family.same_plane(first_branch[i], first_branch[j]),
+                    is_zero(test_geodesics::cross_product(normals[i], normals[j])))
+              << text(normals[i]) << text(normals[j]);
+        }
+      }
+    }
+  }
 }
 
 TEST(GeodesicFamily, WhatIsNoArcIsRefusedByNumber) {

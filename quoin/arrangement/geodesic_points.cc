@@ -154,7 +154,7 @@ void GeodesicFamily::place_exact(Point& p) const {
   });
   const Vector3 v = common_scale(c);
   p.approximate = normalised(v);
-  if (std::fmax(std::fabs(v.x), std::fabs(v.y)) > 0x1p-900) {
+  if (std::max(std::fabs(v.x), std::fabs(v.y)) > 0x1p-900) {
     p.longitude_key = folded_angle(v.x, v.y);
   } else if (!is_at_pole(v)) {
     c[2] = {};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -26,8 +27,9 @@ class PlaneIndex {
   template <class IsSame>
   std::uint32_t find(const Vector3& normal, const IsSame& is_same) const {
     if (slots_.empty()) return none;
-    const Cells low = cells(normal, 1 - 0x1p-47);
-    const Cells high = cells(normal, 1 + 0x1p-47);
+    const Vector3 ratios = ratios_of(normal);
+    const Cells low = cells(ratios, 1 - 0x1p-47);
+    const Cells high = cells(ratios, 1 + 0x1p-47);
     for (unsigned choice = 0; choice < 8; ++choice) {
       Cells probe = low;
       bool is_new = true;
@@ -48,7 +50,7 @@ class PlaneIndex {
   void add(const Vector3& normal, std::uint32_t number) {
     if (2 * (count_ + 1) > slots_.size()) grow();
     ++count_;
-    place({hash_of(cells(normal, 1)), number});
+    place({hash_of(cells(ratios_of(normal), 1)), number});
   }
 
  private:
@@ -60,16 +62,20 @@ class PlaneIndex {
 
   std::size_t mask() const { return slots_.size() - 1; }
 
+  /// To the largest component; off 1, 1/2 and the like, which are frequent and would lie on borders of cells.
+  static Vector3 ratios_of(const Vector3& normal) {
+    const double scale = 1.37 / std::max({std::fabs(normal.x), std::fabs(normal.y), std::fabs(normal.z)});
+    return {normal.x * scale, normal.y * scale, normal.z * scale};
+  }
+
   /// Monotone in each component's magnitude. Below 2^-800 of the largest all are one cell, so underflow does not
   /// matter.
-  static Cells cells(const Vector3& normal, double factor) {
-    const double largest = std::fmax(std::fabs(normal.x), std::fmax(std::fabs(normal.y), std::fabs(normal.z)));
+  static Cells cells(const Vector3& ratios, double factor) {
     Cells result;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      // Off 1, 1/2 and the like, which are frequent and would lie on borders.
-      const double ratio = std::fabs(normal[axis]) / largest * 1.37 * factor;
-      const std::uint64_t cell = std::bit_cast<std::uint64_t>(std::fmax(ratio, 0x1p-800)) >> 12;
-      result[axis] = normal[axis] == 0 ? 0 : normal[axis] < 0 ? cell | (std::uint64_t{1} << 63) : cell;
+      const double ratio = ratios[axis];
+      const std::uint64_t cell = std::bit_cast<std::uint64_t>(std::max(std::fabs(ratio) * factor, 0x1p-800)) >> 12;
+      result[axis] = ratio == 0 ? 0 : ratio < 0 ? cell | (std::uint64_t{1} << 63) : cell;
     }
     return result;
   }
