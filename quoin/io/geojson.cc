@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // GeoJSON, RFC 7946.
+#include <algorithm>
+#include <array>
 #include <iterator>
 #include <nlohmann/json.hpp>
 
@@ -48,10 +50,10 @@ class CountingIterator {
   const char** furthest_;
 };
 
-// Reads until a place is reached or the text is no JSON. A second pass, for error messages only.
+// Reads until a place, if there is one, is reached or the text is no JSON. A second pass, for error messages only.
 class Locator : public nlohmann::json_sax<Json> {
  public:
-  explicit Locator(const std::vector<Step>& place) : place_(place) {}
+  explicit Locator(const std::vector<Step>* place) : place_(place) {}
 
   bool null() override { return value(); }
   bool boolean(bool) override { return value(); }
@@ -71,7 +73,7 @@ class Locator : public nlohmann::json_sax<Json> {
   bool parse_error(std::size_t, const std::string&, const Json::exception&) override { return false; }
 
  private:
-  bool is_there() const { return path_ == place_; }
+  bool is_there() const { return place_ != nullptr && path_ == *place_; }
   bool value() {
     if (is_there()) return false;
     count_item();
@@ -91,7 +93,7 @@ class Locator : public nlohmann::json_sax<Json> {
     if (!path_.empty() && path_.back().key.empty()) ++path_.back().index;
   }
 
-  const std::vector<Step>& place_;
+  const std::vector<Step>* place_;
   std::vector<Step> path_;
 };
 
@@ -107,7 +109,7 @@ class GeoJsonReader {
       root = Json::parse(text_.begin(), text_.end());
     } catch (const Json::exception& error) {
       const std::string_view what = error.what();  // "[json.exception.parse_error.101] parse error at ..."
-      fail("", "not JSON that can be read: " + std::string(what.substr(what.find(']') + 2)));
+      fail_at(nullptr, "", "not JSON that can be read: " + std::string(what.substr(what.find(']') + 2)));
     }
     const std::string type = type_of(root, "");
     if (type == "FeatureCollection") {
@@ -134,9 +136,12 @@ class GeoJsonReader {
     GeoJsonReader& reader_;
   };
 
-  [[noreturn]] void fail(std::string_view element, std::string_view what) const {
+  [[noreturn]] void fail(std::string_view element, std::string_view what) const { fail_at(&place_, element, what); }
+
+  // Without a place: where the text stops being JSON.
+  [[noreturn]] void fail_at(const std::vector<Step>* place, std::string_view element, std::string_view what) const {
     const char* furthest = text_.data();
-    Locator locator(place_);
+    Locator locator(place);
     Json::sax_parse(CountingIterator(text_.data(), &furthest), CountingIterator(text_.data() + text_.size(), &furthest),
                     &locator);
     const auto read = static_cast<std::size_t>(furthest - text_.data());
@@ -240,6 +245,9 @@ class GeoJsonReader {
       return each_of(object, "geometries", element,
                      [&](const Json& item, std::size_t k) { geometry(item, element + ", ", k, nullptr); });
     }
+    static constexpr std::array types = {"Point",      "LineString",      "Polygon",
+                                         "MultiPoint", "MultiLineString", "MultiPolygon"};
+    if (std::ranges::find(types, type) == types.end()) fail(part, io::quoted(type) + " is no type of geometry");
     const Json& coordinates = member(object, "coordinates", part);
     const At at(*this, {"coordinates", 0});
     if (coordinates.is_array() && coordinates.empty()) return notes_.count("empty geometries add nothing", part);
@@ -258,8 +266,7 @@ class GeoJsonReader {
     if (type == "Polygon") return area(coordinates, named("polygon"));
     if (type == "MultiPoint") return many(named("multipoint"), "point", point);
     if (type == "MultiLineString") return many(named("multilinestring"), "linestring", line);
-    if (type == "MultiPolygon") return many(named("multipolygon"), "polygon", area);
-    fail(part, io::quoted(type) + " is no type of geometry");
+    return many(named("multipolygon"), "polygon", area);
   }
 
   template <class Shape>
@@ -298,9 +305,9 @@ class GeoJsonReader {
     each(value, element, [&](const Json& item, std::size_t index) {
       const std::string ring_name = element + ", ring " + std::to_string(index);
       DrawingPath ring{positions(item, ring_name), {}, false};
-      if (ring.points.size() < 2 || ring.points.front() != ring.points.back())
+      if (!ring.points.empty() && ring.points.front() != ring.points.back())
         fail(ring_name, "the ring is not closed: its last position is not its first");
-      close_at_repeated_end(ring);
+      if (!ring.points.empty()) close_at_repeated_end(ring);
       if (!can_bound(ring)) fail(ring_name, "the ring has too few positions");
       polygon.rings.push_back(std::move(ring));
     });

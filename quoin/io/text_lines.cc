@@ -27,15 +27,32 @@ bool is_word(std::string_view word, std::string_view lower_case) {
   return std::ranges::equal(word, lower_case, {}, lower);
 }
 
+namespace {
+
+// Whether a number that is no double, too small or too large, is the former: by the power of ten of its first digit.
+bool is_too_small(std::string_view word) {
+  const std::size_t e = std::min(word.find_first_of("eE"), word.size());
+  const std::size_t point = std::min(word.find('.'), e);
+  const std::size_t first = std::min(word.find_first_of("123456789"), e);
+  const auto power = static_cast<std::int64_t>(point) - static_cast<std::int64_t>(first);
+  std::string_view exponent = word.substr(std::min(e + 1, word.size()));
+  if (exponent.starts_with('+')) exponent.remove_prefix(1);
+  std::int64_t value = 0;
+  const auto error = std::from_chars(exponent.data(), exponent.data() + exponent.size(), value).ec;
+  if (error == std::errc::result_out_of_range) return exponent.starts_with('-');
+  constexpr std::int64_t far = std::int64_t{1} << 60;
+  return power + std::clamp(value, -far, far) < 0;
+}
+
+}  // namespace
+
 bool parse_number(std::string_view word, double& value) {
   if (word.starts_with('+')) word.remove_prefix(1);
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (end != word.data() + word.size()) return false;
   if (error == std::errc::result_out_of_range) {  // too small is nearest to zero, too large is no double
-    const std::size_t exponent = word.find_first_of("eE");
-    const bool tiny = exponent != std::string_view::npos && word.substr(exponent).find('-') != std::string_view::npos;
     value = 0;
-    return tiny;
+    return is_too_small(word);
   }
   return error == std::errc() && std::isfinite(value);
 }

@@ -268,7 +268,7 @@ class WktReader {
       const std::size_t begin = cursor_.position();
       const Tag ring_tag = tag == Tag::curve_polygon ? ring_keyword(ring_name) : Tag::line;
       DrawingPath ring = chain(ring_tag, ring_name, dimension);
-      if (ring.points.size() < 2 || ring.points.front() != ring.points.back())
+      if (ring.points.front() != ring.points.back())
         cursor_.fail_at(begin, ring_name, "the ring is not closed: its last vertex is not its first");
       close_at_repeated_end(ring);
       if (!can_bound(ring)) cursor_.fail_at(begin, ring_name, "the ring has too few vertices");
