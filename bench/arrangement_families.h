@@ -21,7 +21,7 @@ using Polygon = std::vector<Point>;   ///< simple, counterclockwise
 // segment_families.cc
 std::vector<Segment> long_segments(Int count, Random& random);
 std::vector<Segment> short_segments(Int count, Random& random);
-std::vector<Segment> perturbed_grid(Int cells, bool is_shifted, Random& random);
+std::vector<Segment> perturbed_grid(Int cells, bool is_turned, Random& random);
 std::vector<Segment> coverage(Int cells, Int noise, Random& random);
 std::vector<Segment> lattice(Int count, Random& random);
 std::vector<Segment> pencil(Int count, Random& random);

@@ -48,7 +48,7 @@ std::vector<Circle> random_circles(Int count, Int smallest, Int largest, Random&
 
 // About a quarter of all pairs cross.
 std::vector<Circle> circles(Int count, Random& random) {
-  return random_circles(count, half / 25, 3 * half / 10, random);
+  return random_circles(count, half / 25, 8 * half / 25, random);
 }
 
 // They cover a point of the square one and a half times on average, so that the union has parts, holes and touching

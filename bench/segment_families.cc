@@ -59,16 +59,19 @@ std::vector<Segment> short_segments(Int count, Random& random) {
   return result;
 }
 
-// The edges of a grid of cells x cells quadrilaterals; corners move by at most a quarter of a cell, so that edges
-// remain disjoint.
-std::vector<Segment> perturbed_grid(Int cells, bool is_shifted, Random& random) {
+// The edges of a grid of cells x cells quadrilaterals, upright or turned by the smaller angle of a triangle with sides
+// 3, 4, 5; corners move by a quarter of a cell at most in x and in y, so that edges remain disjoint. The corners of the
+// turned one reach 3/2 of the others.
+std::vector<Segment> perturbed_grid(Int cells, bool is_turned, Random& random) {
   const Int step = 2 * half / (cells + 1);
-  const Int shift = is_shifted ? step / 2 : 0;
+  const Int along = is_turned ? 4 * step / 5 : step;
+  const Int across = is_turned ? 3 * step / 5 : 0;
   std::vector<Point> corners;
   for (Int j = 0; j <= cells; ++j) {
     for (Int i = 0; i <= cells; ++i) {
-      const Int x = -half + shift + i * step + random.between(-step / 4, step / 4);
-      corners.push_back({x, -half + shift + j * step + random.between(-step / 4, step / 4)});
+      const Int x = ((2 * i - cells) * along - (2 * j - cells) * across) / 2 + random.between(-step / 4, step / 4);
+      const Int y = ((2 * i - cells) * across + (2 * j - cells) * along) / 2 + random.between(-step / 4, step / 4);
+      corners.push_back({x, y});
     }
   }
   std::vector<Segment> result;
@@ -137,13 +140,13 @@ std::vector<Segment> coverage(Int cells, Int noise, Random& random) {
 // Five directions on a grid so small that segments overlap and many meet in a point.
 std::vector<Segment> lattice(Int count, Random& random) {
   constexpr std::array<Point, 5> directions{{{1, 0}, {0, 1}, {1, 1}, {1, -1}, {2, 1}}};
-  const Int side = std::max<Int>(4, std::llround(2.2 * std::sqrt(static_cast<double>(count))));
+  const Int side = std::max<Int>(4, std::llround(2.0 * std::sqrt(static_cast<double>(count))));
   std::vector<Segment> result;
   for (Int i = 0; i < count; ++i) {
     const Point& direction = directions[static_cast<std::size_t>(random.between(0, 4))];
     const Int x = random.between(0, side);
     const Int y = random.between(0, side);
-    const Int steps = random.between(1, std::max<Int>(1, side / 5));
+    const Int steps = random.between(1, std::max<Int>(1, side / 4));
     result.push_back({x, y, x + steps * direction[0], y + steps * direction[1]});
   }
   return result;
