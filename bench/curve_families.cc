@@ -64,7 +64,6 @@ std::vector<Normal> great_circles(Int count, Random& random) {
   std::vector<Normal> result;
   while (result.size() < static_cast<std::size_t>(count)) {
     const Normal normal = rounded(random_direction(random));
-    if (normal[2] == 0) continue;  // not through the poles: the peer wants circles that are graphs over the longitude
     const Int divisor = std::gcd(std::gcd(normal[0], normal[1]), normal[2]);
     const Int sign = normal < Normal{} ? -1 : 1;
     Normal key = normal;

@@ -48,13 +48,12 @@ void arrange_geodesics(const Task& task) {
   });
 }
 
-// As curves that are graphs over the whole range of longitudes; a circle through the poles is refused.
+// They come out as two edges at least: cut where they meet the meridian of +-pi, and opposite to that.
 void arrange_great_circles(const Task& task) {
-  arrange<Traits::X_monotone_curve_2>(task, "great_circles", [](const Traits&, std::span<const std::int64_t> numbers) {
-    if (numbers[2] == 0) throw std::runtime_error("a great circle through the poles");
+  arrange<Traits::Curve_2>(task, "great_circles", [](const Traits& traits, std::span<const std::int64_t> numbers) {
     const Kernel::Direction_3 normal(static_cast<double>(numbers[0]), static_cast<double>(numbers[1]),
                                      static_cast<double>(numbers[2]));
-    return Traits::X_monotone_curve_2(normal);  // the functor of the traits forgets to return its result
+    return traits.construct_curve_2_object()(normal);
   });
 }
 
