@@ -28,6 +28,7 @@ class CircularFamily {
   using Surface = BoundedPlane;
   using Position = Point2;
   using Point = CircularPoint;
+  static constexpr bool meets_once = false;
   static constexpr bool meets_transversally = false;
   /// What ids of an absorbed family were moved by.
   struct Shift {

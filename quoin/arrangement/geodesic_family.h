@@ -41,6 +41,8 @@ class GeodesicFamily {
  public:
   using Surface = Sphere;
   using Position = Vector3;
+  static constexpr bool meets_once = false;
+  static constexpr bool meets_transversally = true;
 
   /// See the class. At most 48 bytes.
   struct Point {

@@ -44,6 +44,7 @@ class LinearFamily {
   using Surface = UnboundedPlane;
   using Position = Point2;
   using Point = LinearPoint;
+  static constexpr bool meets_once = true;
   static constexpr bool meets_transversally = true;
   struct Shift {
     std::uint32_t supports = 0;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "quoin/arrangement/arrangement.h"
+#include "quoin/arrangement/fill_rule.h"
 
 namespace quoin {
 
@@ -15,13 +16,6 @@ enum class SetOperation : std::uint8_t {
   intersect,
   subtract,             ///< all others from the first
   symmetric_difference  ///< in an odd number of them
-};
-
-/// What rings that overlap, cross themselves or run clockwise enclose.
-enum class FillRule : std::uint8_t {
-  nonzero,   ///< wound around, in either direction
-  even_odd,  ///< crossed an odd number of times on the way from outside
-  positive   ///< wound around counterclockwise more often than clockwise
 };
 
 /// Whether sets keep edges and vertices without area.

@@ -276,7 +276,7 @@ void Sweep<F>::write_run() {
     right_.push_back(node.edge);
   }
   find_crossing(run_below_);
-  if constexpr (F::meets_transversally) {
+  if constexpr (F::meets_once) {
     if (!run_.empty()) find_crossing(run_.back());
   } else {
     for (const std::uint32_t node : run_) find_crossing(node);  // curves through one point may meet again

@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "quoin/arrangement/fill_rule.h"
 #include "quoin/base/context.h"
 #include "quoin/kernel/point.h"
 
@@ -33,9 +34,6 @@ struct DrawingPath {
   const Point2& end(std::size_t edge) const { return points[edge + 1 == points.size() ? 0 : edge + 1]; }
   friend bool operator==(const DrawingPath&, const DrawingPath&) = default;
 };
-
-/// Which points the rings of a polygon enclose: those with an odd winding number, or with one that is not zero.
-enum class FillRule : std::uint8_t { even_odd, nonzero };
 
 /// The region that closed paths enclose together. In WKT and GeoJSON the first ring is the outer one and the others
 /// are holes; in SVG rings come in any order.

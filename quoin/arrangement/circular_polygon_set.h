@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "quoin/arrangement/circular_arrangement.h"
+#include "quoin/arrangement/overlay.h"
+#include "quoin/arrangement/polygon_set.h"
+
+namespace quoin {
+
+extern template class PolygonSet<CircularFamily>;
+extern template class Overlay<CircularFamily>;
+extern template Superposition<CircularFamily> superpose(std::span<const CircularArrangement* const>, const Context&);
+extern template Overlay<CircularFamily> overlay(std::span<const CircularArrangement* const>, const Context&);
+extern template void visit_cells(const Overlay<CircularFamily>&, OverlayVisitor<CircularFamily>&);
+extern template PolygonSet<CircularFamily> combine(std::span<const PolygonSet<CircularFamily>* const>, SetOperation,
+                                                   Regularity, const Context&);
+extern template PolygonSet<CircularFamily> combine_rings(CircularFamily, const PieceList<CircularFamily>&,
+                                                         std::span<const std::uint32_t>, std::uint32_t, FillRule,
+                                                         SetOperation, const Context&);
+extern template std::vector<PolygonWithHoles> polygons_of(const PolygonSet<CircularFamily>&);
+
+using CircularPolygonSet = PolygonSet<CircularFamily>;
+
+}  // namespace quoin
