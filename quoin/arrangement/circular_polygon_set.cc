@@ -5,6 +5,7 @@
 #include "quoin/arrangement/overlay_impl.h"
 #include "quoin/arrangement/polygon_rings_impl.h"
 #include "quoin/arrangement/polygon_set_combine_impl.h"
+#include "quoin/arrangement/ring_problem_impl.h"
 
 namespace quoin {
 
@@ -18,6 +19,10 @@ template PolygonSet<CircularFamily> combine(std::span<const PolygonSet<CircularF
 template PolygonSet<CircularFamily> combine_rings(CircularFamily, const PieceList<CircularFamily>&,
                                                   std::span<const std::uint32_t>, std::uint32_t, FillRule, SetOperation,
                                                   const Context&);
+template PolygonSet<CircularFamily> combine_regions(const Arrangement<CircularFamily>&, const RegionGroups&, FillRule,
+                                                    SetOperation);
+template std::optional<RingProblem> find_ring_problem(const Arrangement<CircularFamily>&,
+                                                      std::span<const std::uint32_t>, const std::vector<bool>&);
 template std::vector<PolygonWithHoles> polygons_of(const PolygonSet<CircularFamily>&);
 
 }  // namespace quoin

@@ -17,6 +17,10 @@ extern template PolygonSet<CircularFamily> combine(std::span<const PolygonSet<Ci
 extern template PolygonSet<CircularFamily> combine_rings(CircularFamily, const PieceList<CircularFamily>&,
                                                          std::span<const std::uint32_t>, std::uint32_t, FillRule,
                                                          SetOperation, const Context&);
+extern template PolygonSet<CircularFamily> combine_regions(const Arrangement<CircularFamily>&, const RegionGroups&,
+                                                           FillRule, SetOperation);
+extern template std::optional<RingProblem> find_ring_problem(const Arrangement<CircularFamily>&,
+                                                             std::span<const std::uint32_t>, const std::vector<bool>&);
 extern template std::vector<PolygonWithHoles> polygons_of(const PolygonSet<CircularFamily>&);
 
 using CircularPolygonSet = PolygonSet<CircularFamily>;

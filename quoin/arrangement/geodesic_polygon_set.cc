@@ -5,6 +5,7 @@
 #include "quoin/arrangement/overlay_impl.h"
 #include "quoin/arrangement/polygon_rings_impl.h"
 #include "quoin/arrangement/polygon_set_combine_impl.h"
+#include "quoin/arrangement/ring_problem_impl.h"
 
 namespace quoin {
 
@@ -18,6 +19,10 @@ template PolygonSet<GeodesicFamily> combine(std::span<const PolygonSet<GeodesicF
 template PolygonSet<GeodesicFamily> combine_rings(GeodesicFamily, const PieceList<GeodesicFamily>&,
                                                   std::span<const std::uint32_t>, std::uint32_t, FillRule, SetOperation,
                                                   const Context&);
+template PolygonSet<GeodesicFamily> combine_regions(const Arrangement<GeodesicFamily>&, const RegionGroups&, FillRule,
+                                                    SetOperation);
+template std::optional<RingProblem> find_ring_problem(const Arrangement<GeodesicFamily>&,
+                                                      std::span<const std::uint32_t>, const std::vector<bool>&);
 template std::vector<PolygonWithHoles> polygons_of(const PolygonSet<GeodesicFamily>&);
 
 }  // namespace quoin

@@ -17,6 +17,10 @@ extern template PolygonSet<GeodesicFamily> combine(std::span<const PolygonSet<Ge
 extern template PolygonSet<GeodesicFamily> combine_rings(GeodesicFamily, const PieceList<GeodesicFamily>&,
                                                          std::span<const std::uint32_t>, std::uint32_t, FillRule,
                                                          SetOperation, const Context&);
+extern template PolygonSet<GeodesicFamily> combine_regions(const Arrangement<GeodesicFamily>&, const RegionGroups&,
+                                                           FillRule, SetOperation);
+extern template std::optional<RingProblem> find_ring_problem(const Arrangement<GeodesicFamily>&,
+                                                             std::span<const std::uint32_t>, const std::vector<bool>&);
 extern template std::vector<PolygonWithHoles> polygons_of(const PolygonSet<GeodesicFamily>&);
 
 using GeodesicPolygonSet = PolygonSet<GeodesicFamily>;

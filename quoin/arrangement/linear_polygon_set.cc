@@ -5,6 +5,7 @@
 #include "quoin/arrangement/overlay_impl.h"
 #include "quoin/arrangement/polygon_rings_impl.h"
 #include "quoin/arrangement/polygon_set_combine_impl.h"
+#include "quoin/arrangement/ring_problem_impl.h"
 
 namespace quoin {
 
@@ -18,6 +19,10 @@ template PolygonSet<LinearFamily> combine(std::span<const PolygonSet<LinearFamil
 template PolygonSet<LinearFamily> combine_rings(LinearFamily, const PieceList<LinearFamily>&,
                                                 std::span<const std::uint32_t>, std::uint32_t, FillRule, SetOperation,
                                                 const Context&);
+template PolygonSet<LinearFamily> combine_regions(const Arrangement<LinearFamily>&, const RegionGroups&, FillRule,
+                                                  SetOperation);
+template std::optional<RingProblem> find_ring_problem(const Arrangement<LinearFamily>&, std::span<const std::uint32_t>,
+                                                      const std::vector<bool>&);
 template std::vector<PolygonWithHoles> polygons_of(const PolygonSet<LinearFamily>&);
 
 /// Trapezoids under the edges between members and others: above an edge counts negative, below positive.

@@ -17,6 +17,10 @@ extern template PolygonSet<LinearFamily> combine(std::span<const PolygonSet<Line
 extern template PolygonSet<LinearFamily> combine_rings(LinearFamily, const PieceList<LinearFamily>&,
                                                        std::span<const std::uint32_t>, std::uint32_t, FillRule,
                                                        SetOperation, const Context&);
+extern template PolygonSet<LinearFamily> combine_regions(const Arrangement<LinearFamily>&, const RegionGroups&,
+                                                         FillRule, SetOperation);
+extern template std::optional<RingProblem> find_ring_problem(const Arrangement<LinearFamily>&,
+                                                             std::span<const std::uint32_t>, const std::vector<bool>&);
 extern template std::vector<PolygonWithHoles> polygons_of(const PolygonSet<LinearFamily>&);
 
 using LinearPolygonSet = PolygonSet<LinearFamily>;

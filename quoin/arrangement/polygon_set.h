@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -84,6 +84,41 @@ PolygonSet<F> combine(std::span<const PolygonSet<F>* const> sets, SetOperation o
 template <CurveFamily F>
 PolygonSet<F> combine_rings(F family, const PieceList<F>& rings, std::span<const std::uint32_t> operand_of_curve,
                             std::uint32_t operand_count, FillRule rule, SetOperation operation, const Context& context);
+
+/// How directed closed curves make up operands.
+struct RegionGroups {
+  std::vector<std::uint32_t> element_of_curve;
+  std::vector<std::uint32_t> operand_of_element;
+  std::uint32_t operand_count = 0;
+};
+
+/// The same from curves that are arranged already, in two levels: `rule` says what the curves of an element enclose
+/// together, and an operand is the union of its elements. O(size).
+template <CurveFamily F>
+PolygonSet<F> combine_regions(const Arrangement<F>& drawn, const RegionGroups& groups, FillRule rule,
+                              SetOperation operation);
+
+/// What is wrong with the rings of a polygon.
+struct RingProblem {
+  enum class Kind : std::uint8_t {
+    overlap,         ///< two rings of an element, or a ring twice, run along the same edge
+    crosses_itself,  ///< a ring encloses something more than once, or in both directions
+    hole_outside,    ///< part of a hole lies outside the outer ring
+    holes_overlap
+  };
+  Kind kind = Kind::overlap;
+  std::uint32_t first_curve = 0;
+  std::uint32_t second_curve = 0;  ///< of kinds with two rings
+  dcel::EdgeId edge;               ///< where: an edge next to the place
+};
+
+/// Whether the curves bound polygons: every element one outer ring and holes inside it, each simple; rings may touch in
+/// points. Elements may overlap one another. Orientation does not matter. Returns the first problem in the order of
+/// faces. O(size).
+template <CurveFamily F>
+std::optional<RingProblem> find_ring_problem(const Arrangement<F>& drawn,
+                                             std::span<const std::uint32_t> element_of_curve,
+                                             const std::vector<bool>& is_hole);
 
 /// A boundary cycle of a set: simple, but may touch others; the set lies on its left.
 struct PolygonRing {

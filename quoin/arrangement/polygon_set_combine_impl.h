@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <numeric>
+
 #include "quoin/arrangement/polygon_set_impl.h"
 
 /// Bodies of `combine` and `combine_rings`, for the one source file per family that instantiates them.
@@ -162,6 +164,12 @@ inline bool is_inside(std::int32_t winding, FillRule rule) {
   return false;
 }
 
+/// What stepping over h, into the face of its twin, adds to the winding number of a curve along it: from above to below
+/// a curve that runs to the right, its left is left.
+inline std::int32_t winding_step(dcel::HalfedgeId h, CurveUse use) {
+  return h.is_forward() != use.is_reversed() ? -1 : 1;
+}
+
 }  // namespace polygon_set_detail
 
 template <CurveFamily F>
@@ -176,28 +184,43 @@ PolygonSet<F> combine(std::span<const PolygonSet<F>* const> sets, SetOperation o
 }
 
 template <CurveFamily F>
-PolygonSet<F> combine_rings(F family, const PieceList<F>& rings, std::span<const std::uint32_t> operand_of_curve,
-                            std::uint32_t operand_count, FillRule rule, SetOperation operation,
-                            const Context& context) {
-  const Arrangement<F> drawn = arrange(std::move(family), rings, context);
+PolygonSet<F> combine_regions(const Arrangement<F>& drawn, const RegionGroups& groups, FillRule rule,
+                              SetOperation operation) {
   const dcel::Dcel& cells = drawn.cells();
   polygon_set_detail::Members members{{}, {}, std::vector<bool>(cells.faces.size(), false)};
   polygon_set_detail::Membership here;
-  std::vector<std::int32_t> winding(operand_count, 0);
+  std::vector<std::int32_t> winding(groups.operand_of_element.size(), 0);
+  std::vector<std::uint32_t> elements_around(groups.operand_count, 0);  // by operand: how many hold the place
   dcel::walk_faces(
       cells,
       [&](dcel::HalfedgeId h) {
         for (const CurveUse use : drawn.curves(h.edge())) {
-          const std::uint32_t operand = operand_of_curve[use.curve().index()];
-          const bool before = polygon_set_detail::is_inside(winding[operand], rule);
-          // From above to below a curve that runs to the right, its left is left.
-          winding[operand] += h.is_forward() != use.is_reversed() ? -1 : 1;
-          here.set(operand, before, polygon_set_detail::is_inside(winding[operand], rule));
+          const std::uint32_t element = groups.element_of_curve[use.curve().index()];
+          const bool before = polygon_set_detail::is_inside(winding[element], rule);
+          winding[element] += polygon_set_detail::winding_step(h, use);
+          const bool now = polygon_set_detail::is_inside(winding[element], rule);
+          if (before == now) continue;
+          const std::uint32_t operand = groups.operand_of_element[element];
+          std::uint32_t& around = elements_around[operand];
+          here.set(operand, around > 0, now || around > 1);
+          around += now ? 1U : 0xFFFFFFFFU;
         }
       },
-      [&](dcel::FaceId f) { members.faces[f.index()] = here.decide(operation, operand_count); });
+      [&](dcel::FaceId f) { members.faces[f.index()] = here.decide(operation, groups.operand_count); });
   polygon_set_detail::close_faces(cells, members);
   return PolygonSet<F>(drawn, std::move(members.vertices), std::move(members.edges), std::move(members.faces));
+}
+
+template <CurveFamily F>
+PolygonSet<F> combine_rings(F family, const PieceList<F>& rings, std::span<const std::uint32_t> operand_of_curve,
+                            std::uint32_t operand_count, FillRule rule, SetOperation operation,
+                            const Context& context) {
+  RegionGroups groups;
+  groups.element_of_curve.assign(operand_of_curve.begin(), operand_of_curve.end());
+  groups.operand_of_element.resize(operand_count);
+  std::iota(groups.operand_of_element.begin(), groups.operand_of_element.end(), 0U);
+  groups.operand_count = operand_count;
+  return combine_regions(arrange(std::move(family), rings, context), groups, rule, operation);
 }
 
 }  // namespace quoin
