@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "quoin/base/context.h"
+#include "quoin/cli/options.h"
+#include "quoin/io/drawing.h"
+
+namespace quoin::cli {
+
+/// A drawing and what to call it.
+struct PlanarInput {
+  std::string name;
+  Drawing drawing;
+};
+
+/// Reads drawings of the plane: files, "-" for standard input, or WKT as an argument itself. Their notes go to
+/// `warnings`.
+std::vector<PlanarInput> read_drawings(const Options& options, std::vector<std::string>& warnings,
+                                       const Context& context);
+
+/// Whether one of them has arcs, so that all are taken as circular curves.
+bool any_arcs(const std::vector<PlanarInput>& inputs);
+
+/// The rule of --fill; nothing where polygons must be valid. @throws UsageError
+std::optional<FillRule> fill_rule(const Options& options);
+
+/// Writes a drawing to the outputs that take one (wkt, geojson, svg, dxf); notes of the formats go to `warnings`.
+/// Returns the outputs that are not drawings.
+void write_drawings(const Drawing& drawing, const Options& options, std::vector<std::string>& warnings,
+                    const Context& context);
+
+/// Prints the report of a planar command: JSON with warnings, or text.
+void print_report(nlohmann::ordered_json json, const std::string& text, const std::vector<std::string>& warnings,
+                  const Options& options);
+
+}  // namespace quoin::cli
