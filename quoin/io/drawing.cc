@@ -84,10 +84,11 @@ void check_element_structure(const DrawingElement& element) {
 void check_edges(const DrawingElement& element, const DrawingPath& path, const std::string& prefix) {
   for (std::size_t e = 0; e < path.edge_count(); ++e) {
     if (path.start(e) != path.end(e)) continue;
-    const std::string at = " at " + io::decimals(path.start(e).x) + " " + io::decimals(path.start(e).y);
-    if (path.is_closed && e + 1 == path.points.size() && e > 0)
-      refuse(element, prefix + "the last vertex repeats the first" + at + " (edges of zero length are refused)");
-    refuse(element, prefix + "edge " + std::to_string(e + 1) + " has zero length" + at);
+    const bool is_closing = path.is_closed && e + 1 == path.points.size() && e > 0;
+    std::string what = prefix;
+    what += is_closing ? "the last vertex repeats the first" : "edge " + std::to_string(e + 1) + " has zero length";
+    what += " at " + io::decimals(path.start(e).x) + " " + io::decimals(path.start(e).y);
+    refuse(element, what);
   }
 }
 

@@ -32,7 +32,7 @@ struct Entity {
   bool has_height = false;
   bool is_on_paper = false;  // 67
   bool has_radius = false;
-  bool has_end_point = false;
+  bool has_end_x = false;
   bool has_end_y = false;
   bool has_x = false;  // an x whose y is still to come
 };
@@ -136,53 +136,63 @@ class DxfReader {
   void group(Entity& entity) {
     switch (groups_.code()) {
       case 10:
-        if (entity.has_x) groups_.fail(entity.element, "a y (group 20) is missing");
-        if (!entity.points.empty() && entity.type != "LWPOLYLINE")
-          groups_.fail(entity.element, "a second point (group 10)");
-        entity.has_x = true;
-        entity.points.push_back({number(entity), 0});
-        entity.bulges.push_back(0);
-        break;
       case 20:
-        if (!entity.has_x) groups_.fail(entity.element, "a y (group 20) without an x");
-        entity.has_x = false;
-        entity.points.back().y = number(entity);
-        break;
+        return point_group(entity);
       case 11:
-        if (entity.type != "LINE") break;
-        end_point_ = {number(entity), end_point_.y};
-        entity.has_end_point = true;
-        break;
       case 21:
-        if (entity.type != "LINE") break;
-        end_point_.y = number(entity);
-        entity.has_end_y = true;
-        break;
+        return end_group(entity);
       case 30:
       case 31:
       case 38:
         entity.has_height |= number(entity) != 0;
-        break;
+        return;
       case 39:
         if (number(entity) != 0) notes_.count("thickness is ignored", entity.element);
-        break;
+        return;
       case 40:
         if (entity.type == "ARC" || entity.type == "CIRCLE") {
           entity.radius = number(entity);
           entity.has_radius = true;
-          break;
+          return;
         }
         [[fallthrough]];
       case 41:
       case 43:
         if (number(entity) != 0) notes_.count("widths are ignored", entity.element);
-        break;
+        return;
       case 42:
         if (entity.bulges.empty()) groups_.fail(entity.element, "a bulge (group 42) before the first vertex");
         entity.bulges.back() = number(entity);
-        break;
+        return;
       default:
-        further_group(entity);
+        return further_group(entity);
+    }
+  }
+
+  // x and y of a vertex, one after the other.
+  void point_group(Entity& entity) const {
+    const bool is_x = groups_.code() == 10;
+    if (is_x && entity.has_x) groups_.fail(entity.element, "a y (group 20) is missing");
+    if (!is_x && !entity.has_x) groups_.fail(entity.element, "a y (group 20) without an x");
+    if (is_x && !entity.points.empty() && entity.type != "LWPOLYLINE")
+      groups_.fail(entity.element, "a second point (group 10)");
+    if (is_x) {
+      entity.points.push_back({number(entity), 0});
+      entity.bulges.push_back(0);
+    } else {
+      entity.points.back().y = number(entity);
+    }
+    entity.has_x = is_x;
+  }
+
+  void end_group(Entity& entity) {
+    if (entity.type != "LINE") return;
+    if (groups_.code() == 11) {
+      end_point_.x = number(entity);
+      entity.has_end_x = true;
+    } else {
+      end_point_.y = number(entity);
+      entity.has_end_y = true;
     }
   }
 
@@ -255,7 +265,7 @@ class DxfReader {
     if (is_polyline) return polyline(entity);
     if (entity.type == "POINT") return push(entity, entity.points[0]);
     if (entity.type == "LINE") {
-      if (!entity.has_end_point || !entity.has_end_y) fail(entity, "its end (groups 11 and 21) is missing");
+      if (!entity.has_end_x || !entity.has_end_y) fail(entity, "its end (groups 11 and 21) is missing");
       return push(entity, DrawingPath{{entity.points[0], end_point_}, {}, false});
     }
     if (!entity.has_radius) fail(entity, "its radius (group 40) is missing");

@@ -43,7 +43,6 @@ class CountingIterator {
     return before;
   }
   friend bool operator==(const CountingIterator& a, const CountingIterator& b) { return a.at_ == b.at_; }
-  friend bool operator!=(const CountingIterator& a, const CountingIterator& b) { return a.at_ != b.at_; }
 
  private:
   const char* at_;
@@ -251,23 +250,28 @@ class GeoJsonReader {
     const Json& coordinates = member(object, "coordinates", part);
     const At at(*this, {"coordinates", 0});
     if (coordinates.is_array() && coordinates.empty()) return notes_.count("empty geometries add nothing", part);
-    const auto many = [&](const std::string& element, const char* kind, const auto& one) {
-      each(coordinates, element, [&](const Json& item, std::size_t k) {
-        const std::string item_name = element + ", " + kind + " " + std::to_string(k);
-        if (item.is_array() && item.empty()) return notes_.count("empty geometries add nothing", item_name);
-        one(item, item_name);
-      });
-    };
-    const auto point = [&](const Json& item, const std::string& element) { add(element, position(item, element)); };
-    const auto line = [&](const Json& item, const std::string& element) { add(element, line_string(item, element)); };
-    const auto area = [&](const Json& item, const std::string& element) { add(element, polygon(item, element)); };
     if (type == "Point") return point(coordinates, named("point"));
     if (type == "LineString") return line(coordinates, named("linestring"));
     if (type == "Polygon") return area(coordinates, named("polygon"));
-    if (type == "MultiPoint") return many(named("multipoint"), "point", point);
-    if (type == "MultiLineString") return many(named("multilinestring"), "linestring", line);
-    return many(named("multipolygon"), "polygon", area);
+    if (type == "MultiPoint") return many(coordinates, named("multipoint"), "point", &GeoJsonReader::point);
+    if (type == "MultiLineString")
+      return many(coordinates, named("multilinestring"), "linestring", &GeoJsonReader::line);
+    many(coordinates, named("multipolygon"), "polygon", &GeoJsonReader::area);
   }
+
+  using One = void (GeoJsonReader::*)(const Json& coordinates, const std::string& element);
+
+  void many(const Json& coordinates, const std::string& element, const std::string& kind, One one) {
+    each(coordinates, element, [&](const Json& item, std::size_t k) {
+      const std::string item_name = element + ", " + kind + " " + std::to_string(k);
+      if (item.is_array() && item.empty()) return notes_.count("empty geometries add nothing", item_name);
+      (this->*one)(item, item_name);
+    });
+  }
+
+  void point(const Json& coordinates, const std::string& element) { add(element, position(coordinates, element)); }
+  void line(const Json& coordinates, const std::string& element) { add(element, line_string(coordinates, element)); }
+  void area(const Json& coordinates, const std::string& element) { add(element, polygon(coordinates, element)); }
 
   template <class Shape>
   void add(const std::string& element, Shape&& shape) {
