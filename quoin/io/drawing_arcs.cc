@@ -75,11 +75,39 @@ Rational relative_slack(const Rational& value, bool is_exact) {
   return is_exact ? Rational() : abs(value) * power_of_two(-190);
 }
 
-// To the next multiple of 2^-digits below.
-Rational shortened(const Rational& v) {
+// Fixed-point numbers: integers times 2^-digits.
+Integer fixed(const Rational& v) {
   Integer quotient;
-  mpz_fdiv_q((quotient).raw(), (v.numerator() << digits).raw(), v.denominator().raw());
-  return {quotient, Integer(1) << digits};
+  mpz_fdiv_q(quotient.raw(), (v.numerator() << digits).raw(), v.denominator().raw());
+  return quotient;
+}
+
+Rational value_of(const Integer& number) {
+  return {number, Integer(1) << digits};
+}
+
+void divide(Integer& number, unsigned long divisor) {
+  mpz_fdiv_q_ui(number.raw(), number.raw(), divisor);
+}
+
+// Pi within 2^-190, by Machin's formula: pi = 16 arctan(1/5) - 4 arctan(1/239).
+const Rational& pi() {
+  static const Rational value = [] {
+    const auto arctangent_of_inverse = [](unsigned long n) {
+      Integer sum;
+      Integer power = Integer(1) << digits;
+      divide(power, n);
+      for (unsigned long k = 1; power.sign() == Sign::positive; k += 2) {
+        Integer term = power;
+        divide(term, k);
+        sum += k % 4 == 1 ? term : -term;
+        divide(power, n * n);
+      }
+      return sum;
+    };
+    return value_of(Integer(16) * arctangent_of_inverse(5) - Integer(4) * arctangent_of_inverse(239));
+  }();
+  return value;
 }
 
 struct SineCosine {
@@ -87,45 +115,26 @@ struct SineCosine {
   Rational cosine;
 };
 
-// Rational approximation of pi within 2^-195, by Machin's formula.
-const Rational& pi() {
-  static const Rational value = [] {
-    const auto arctangent_of_inverse = [](std::int64_t n) {
-      Rational sum;
-      Rational power = Rational(1) / Rational(n);
-      const Rational square(n * n);
-      for (std::int64_t k = 1; k < 180; k += 2) {
-        const Rational term = shortened(power / Rational(k));
-        if (k % 4 == 1) {
-          sum += term;
-        } else {
-          sum -= term;
-        }
-        power = shortened(power / square);
-      }
-      return sum;
-    };
-    return Rational(16) * arctangent_of_inverse(5) - Rational(4) * arctangent_of_inverse(239);
-  }();
-  return value;
-}
-
-// Of an angle in [0, 90) degrees, each within 2^-185: Taylor's series to x^60 / 60! < 2^-230, about 60 roundings.
+// Of an angle in [0, 90) degrees, each within 2^-185: Taylor's series up to terms below 2^-200; about 50 roundings of
+// 2^-200 each, and that of pi.
 SineCosine sine_cosine_of_acute(const Rational& degrees) {
   if (degrees.sign() == Sign::zero) return {Rational(0), Rational(1)};
-  const Rational x = shortened(degrees * pi() / Rational(180));
-  SineCosine result;
-  Rational term(1);
-  for (int k = 0; k < 60; ++k) {
-    Rational& sum = k % 2 == 0 ? result.cosine : result.sine;
+  const Integer x = fixed(degrees * pi() / Rational(180));
+  Integer sine;
+  Integer cosine;
+  Integer term = Integer(1) << digits;
+  for (unsigned long k = 0; term.sign() == Sign::positive; ++k) {
+    Integer& sum = k % 2 == 0 ? cosine : sine;
     if (k % 4 < 2) {
       sum += term;
     } else {
       sum -= term;
     }
-    term = shortened(term * x / Rational(k + 1));
+    term *= x;
+    term >>= digits;
+    divide(term, k + 1);
   }
-  return result;
+  return {value_of(sine), value_of(cosine)};
 }
 
 Integer floor_of(const Rational& v) {

@@ -119,6 +119,7 @@ std::string TextCursor::found() const {
 
 void RunningSum::set(double value) {
   value_ = value;
+  tail_ = 0;
   exact_.reset();
 }
 
@@ -126,19 +127,25 @@ void RunningSum::add(double value) {
   if (!std::isfinite(value_)) return;
   if (!exact_) {
     const TwoDoubles sum = two_sum(value_, value);
-    if (!std::isfinite(sum.value) || sum.tail == 0) {
-      value_ = plain(sum.value);
+    const TwoDoubles tails = two_sum(tail_, sum.tail);
+    if (std::isfinite(sum.value) && tails.tail == 0) {
+      const TwoDoubles both = two_sum(sum.value, tails.value);
+      value_ = plain(both.value);
+      tail_ = both.tail;
       return;
     }
-    exact_ = Rational(value_);
+    exact_ = Rational(value_) + Rational(tail_);
   }
   *exact_ += Rational(value);
   value_ = exact_->to_double();
-  if (!std::isfinite(value_) || Rational(value_) == *exact_) exact_.reset();
+  if (!std::isfinite(value_)) return;
+  const Rational rest = *exact_ - Rational(value_);
+  tail_ = rest.to_double();
+  if (Rational(tail_) == rest) exact_.reset();
 }
 
 double RunningSum::error() const {
-  return exact_ ? Interval::around(abs(*exact_ - Rational(value_))).upper() : 0;
+  return exact_ ? Interval::around(abs(*exact_ - Rational(value_))).upper() : std::fabs(tail_);
 }
 
 void DrawingNotes::add(std::string_view remark, std::string_view element, double distance, bool has_distance) {

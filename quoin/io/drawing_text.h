@@ -78,7 +78,8 @@ class RunningSum {
 
  private:
   double value_ = 0;
-  std::optional<Rational> exact_;  // where it is not the value
+  double tail_ = 0;                // the sum is value and tail
+  std::optional<Rational> exact_;  // where two doubles do not hold it
 };
 
 /// Collects remarks: each kind once, with its count, the largest distance and the first element it is about.
