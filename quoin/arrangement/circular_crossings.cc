@@ -137,37 +137,42 @@ CircularPoint CircularFamily::crossing_point(std::uint32_t a, std::uint32_t b, i
   return p;
 }
 
+/// a < b.
+CircularFamily::Certainty CircularFamily::cross(std::uint32_t a, std::uint32_t b, RoundedCrossing& out) const {
+  const CircularSupport& one = pools_.supports[a];
+  const CircularSupport& two = pools_.supports[b];
+  if (!one.is_line() && !two.is_line()) return cross_circles(one, two, out);
+  if (one.is_line() && two.is_line()) return cross_lines(one, two, out);
+  return one.is_line() ? cross_circle_line(two, one, out) : cross_circle_line(one, two, out);
+}
+
+/// How many crossings there are, for supports a < b of which the filter does not know.
+int CircularFamily::cross_exactly(std::uint32_t a, std::uint32_t b, RoundedCrossing& out) const {
+  const circular_exact::Crossing exact = circular_exact::crossing(pools_, a, b);
+  if (exact.discriminant == Sign::negative) return 0;
+  out = {exact.middle_x, exact.middle_y, exact.half_x, exact.half_y};
+  if (!exact.in_range || !(std::fabs(exact.middle_x) <= 5 * magnitude_) ||
+      !(std::fabs(exact.middle_y) <= 5 * magnitude_)) {
+    out.middle_x = out.middle_y = std::numeric_limits<double>::quiet_NaN();
+  }
+  return exact.discriminant == Sign::positive ? 2 : 1;
+}
+
 int CircularFamily::crossings(CircularSupportId first, CircularSupportId second, Point out[2]) const {
   auto a = static_cast<std::uint32_t>(first.index());
   auto b = static_cast<std::uint32_t>(second.index());
   if (b < a) std::swap(a, b);
-  const CircularSupport& one = pools_.supports[a];
-  const CircularSupport& two = pools_.supports[b];
-  const bool lines = one.is_line() && two.is_line();
   RoundedCrossing numbers;
-  const Certainty certainty = lines           ? cross_lines(one, two, numbers)
-                              : one.is_line() ? cross_circle_line(two, one, numbers)
-                              : two.is_line() ? cross_circle_line(one, two, numbers)
-                                              : cross_circles(one, two, numbers);
+  const Certainty certainty = cross(a, b, numbers);
   if (certainty == Certainty::none) return 0;
-  bool two_points = !lines;
-  if (certainty == Certainty::unknown) {
-    const circular_exact::Crossing exact = circular_exact::crossing(pools_, a, b);
-    if (exact.discriminant == Sign::negative) return 0;
-    two_points = exact.discriminant == Sign::positive;
-    numbers = {exact.middle_x, exact.middle_y, exact.half_x, exact.half_y};
-    const double reach = std::max(std::fabs(exact.middle_x), std::fabs(exact.middle_y));
-    if (!exact.in_range || !(reach <= 5 * magnitude_)) {
-      numbers.middle_x = numbers.middle_y = std::numeric_limits<double>::quiet_NaN();
-    }
+  int count = is_line(first) && is_line(second) ? 1 : 2;
+  if (certainty == Certainty::unknown) count = cross_exactly(a, b, numbers);
+  if (count == 1) out[0] = crossing_point(a, b, 0, numbers);
+  if (count == 2) {
+    out[0] = crossing_point(a, b, -1, numbers);
+    out[1] = crossing_point(a, b, +1, numbers);
   }
-  if (!two_points) {
-    out[0] = crossing_point(a, b, 0, numbers);
-    return 1;
-  }
-  out[0] = crossing_point(a, b, -1, numbers);
-  out[1] = crossing_point(a, b, +1, numbers);
-  return 2;
+  return count;
 }
 
 CircularPoint CircularFamily::extreme(CircularSupportId circle, bool right) const {
@@ -186,6 +191,13 @@ CircularPoint CircularFamily::extreme(CircularSupportId circle, bool right) cons
   return p;
 }
 
+/// Of a crossing of the support of the branch.
+bool CircularFamily::is_on(const Point& p, BranchId branch) const {
+  if (is_line(branch)) return true;
+  const Sign half = compare_y_to_centre(p, static_cast<std::uint32_t>(support(branch).index()));
+  return half == Sign::zero || (half == Sign::positive) == is_upper(branch);
+}
+
 int CircularFamily::common_points(BranchId a, BranchId b, Point out[2]) const {
   const CircularSupportId one = support(a);
   const CircularSupportId two = support(b);
@@ -199,18 +211,50 @@ int CircularFamily::common_points(BranchId a, BranchId b, Point out[2]) const {
   }
   int kept = 0;
   for (int i = 0; i < count; ++i) {
-    const auto on = [&](BranchId branch) {
-      if (is_line(branch)) return true;
-      const Sign half = compare_y_to_centre(out[i], static_cast<std::uint32_t>(support(branch).index()));
-      return half == Sign::zero || (half == Sign::positive) == is_upper(branch);
-    };
-    if (on(a) && on(b)) out[kept++] = out[i];
+    if (is_on(out[i], a) && is_on(out[i], b)) out[kept++] = out[i];
   }
   return kept;
 }
 
+/// A crossing that is evidently on other halves than these branches, or not between the abscissae.
+bool CircularFamily::misses(const RoundedCrossing& numbers, int root, BranchId lower, BranchId upper, double from,
+                            double to) const {
+  const double x = numbers.middle_x + root * numbers.half_x;
+  if (x < from - 2 * error_ || x > to + 2 * error_) return true;
+  const double y = numbers.middle_y + root * numbers.half_y;
+  for (const BranchId branch : {lower, upper}) {
+    const CircularSupport& s = support_of(branch);
+    if (s.is_line()) continue;
+    const double height = is_upper(branch) ? y - s.y : s.y - y;
+    if (height < -1.1 * error_) return true;
+  }
+  return false;
+}
+
+/// Everything that doubles can exclude is excluded before a point is made: most calls find nothing.
 bool CircularFamily::first_meeting(BranchId lower, const Point& lower_end, BranchId upper, const Point& upper_end,
                                    const Point& after, Point& out) const {
+  auto a = static_cast<std::uint32_t>(support(lower).index());
+  auto b = static_cast<std::uint32_t>(support(upper).index());
+  if (b < a) std::swap(a, b);
+  const bool from_crossing = after.kind == CircularPointKind::crossing && after.first == a && after.second == b;
+  if (from_crossing && after.root >= 0) return false;
+  RoundedCrossing numbers;
+  const Certainty certainty = a == b ? Certainty::unknown : cross(a, b, numbers);
+  if (certainty == Certainty::none) return false;
+  if (certainty == Certainty::certified) {
+    const int last = is_line(lower) && is_line(upper) ? 0 : 1;
+    const double end = std::fmin(lower_end.x, upper_end.x);
+    for (int root = from_crossing ? 1 : -last; root <= last; root += 2) {
+      if (misses(numbers, root, lower, upper, after.x, end)) continue;
+      const Point p = crossing_point(a, b, root, numbers);
+      if (!is_on(p, lower) || !is_on(p, upper) || compare_xy(p, after) != Sign::positive) continue;
+      if (compare_xy(p, lower_end) != Sign::negative || compare_xy(p, upper_end) != Sign::negative) return false;
+      out = p;
+      return true;
+    }
+    return false;
+  }
   Point common[2];
   const int count = common_points(lower, upper, common);
   for (int i = 0; i < count; ++i) {

@@ -46,28 +46,13 @@ Sign CircularFamily::compare_y(const Point& p, const Point& q) const {
   return circular_exact::compare_y(pools_, p, q);
 }
 
-Sign CircularFamily::compare_xy(const Point& p, const Point& q) const {
-  const double difference = p.x - q.x;
-  if (difference > 2 * error_) return Sign::positive;
-  if (difference < -2 * error_) return Sign::negative;
+Sign CircularFamily::compare_close(const Point& p, const Point& q) const {
   if (same_definition(p, q)) return sign_of(p.root - q.root);
   const Sign x = compare_x(p, q);
   return x != Sign::zero ? x : compare_y(p, q);
 }
 
 // A point against a support.
-
-/// y of p minus that of the centre carries error_ if p is not exact, and u magnitude_ < error_ / 64 if the centre is
-/// rational; rounded once more, by u times itself.
-Sign CircularFamily::filtered_half(const Point& p, const CircularSupport& circle, bool& known) const {
-  const double y = p.y - circle.y;
-  known = true;
-  if (p.exact_y && !circle.is_rational()) return sign_of(y);
-  if (y > 1.1 * error_) return Sign::positive;
-  if (y < -1.1 * error_) return Sign::negative;
-  known = false;
-  return Sign::zero;
-}
 
 Sign CircularFamily::find_half(const Point& p, std::uint32_t circle) const {
   bool known = false;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <string_view>
 #include <vector>
@@ -63,7 +64,12 @@ class CircularFamily {
   CurveId add_point(Pieces& list, const RationalPoint2& point, std::string_view name = "point");
 
   // Predicates; see CurveFamily.
-  Sign compare_xy(const Point& p, const Point& q) const;
+  Sign compare_xy(const Point& p, const Point& q) const {
+    const double difference = p.x - q.x;
+    if (std::fabs(difference) > 2 * error_) [[likely]]
+      return difference < 0 ? Sign::negative : Sign::positive;
+    return compare_close(p, q);
+  }
   Sign compare_y_at_x(const Point& p, BranchId branch) const;
   Sign compare_right(BranchId a, BranchId b, const Point& p) const;
   Sign compare_left(BranchId a, BranchId b, const Point& p) const;
@@ -126,24 +132,6 @@ class CircularFamily {
   int crossings(CircularSupportId a, CircularSupportId b, Point out[2]) const;
 
  private:
-  CurveId append_circle(Pieces& list, CircularSupportId circle);
-  template <class Coordinates>
-  CurveId append_segment(Pieces& list, const Coordinates& from, const Coordinates& to, std::string_view name);
-  bool walks_upper(CircularSupportId circle, const Point& p, bool leaving) const;
-  const CircularSupport& support_of(BranchId branch) const { return pools_.supports[branch.index() / 2]; }
-  void raise_magnitude(double value);
-  Sign compare_x(const Point& p, const Point& q) const;
-  Sign compare_y(const Point& p, const Point& q) const;
-  Sign compare_y_to_centre(const Point& p, std::uint32_t circle) const;
-  Sign side_of(const Point& p, std::uint32_t support) const;
-  Sign filtered_half(const Point& p, const CircularSupport& circle, bool& known) const;
-  Sign turn(const Point& p, std::uint32_t a, std::uint32_t b) const;
-  Sign compare_slopes(BranchId a, BranchId b, const Point& p) const;
-  Sign compare_curvatures(BranchId a, BranchId b) const;
-  Sign compare_squared_radii(std::uint32_t a, std::uint32_t b) const;
-  int vertical_direction(BranchId branch, const Point& p) const;
-  bool same_support(std::uint32_t a, std::uint32_t b) const;
-  int common_points(BranchId a, BranchId b, Point out[2]) const;
   /// Numbers of a crossing as doubles: at `middle` plus and minus `half`, which is lexicographically positive.
   struct RoundedCrossing {
     double middle_x = 0;
@@ -151,11 +139,45 @@ class CircularFamily {
     double half_x = 0;
     double half_y = 0;
   };
+
+  CurveId append_circle(Pieces& list, CircularSupportId circle);
+  template <class Coordinates>
+  CurveId append_segment(Pieces& list, const Coordinates& from, const Coordinates& to, std::string_view name);
+  bool walks_upper(CircularSupportId circle, const Point& p, bool leaving) const;
+  const CircularSupport& support_of(BranchId branch) const { return pools_.supports[branch.index() / 2]; }
+  void raise_magnitude(double value);
+  Sign compare_close(const Point& p, const Point& q) const;
+  Sign compare_x(const Point& p, const Point& q) const;
+  Sign compare_y(const Point& p, const Point& q) const;
+  Sign compare_y_to_centre(const Point& p, std::uint32_t circle) const;
+  Sign side_of(const Point& p, std::uint32_t support) const;
+  /// y of p minus that of the centre carries error_ if p is not exact, and u magnitude_ < error_ / 64 if the centre is
+  /// rational; rounded once more, by u times itself.
+  Sign filtered_half(const Point& p, const CircularSupport& circle, bool& known) const {
+    const double y = p.y - circle.y;
+    known = true;
+    if (p.exact_y && !circle.is_rational()) return sign_of(y);
+    if (y > 1.1 * error_) return Sign::positive;
+    if (y < -1.1 * error_) return Sign::negative;
+    known = false;
+    return Sign::zero;
+  }
+  bool misses(const RoundedCrossing& numbers, int root, BranchId lower, BranchId upper, double from, double to) const;
+  Sign turn(const Point& p, std::uint32_t a, std::uint32_t b) const;
+  Sign compare_slopes(BranchId a, BranchId b, const Point& p) const;
+  Sign compare_curvatures(BranchId a, BranchId b) const;
+  Sign compare_squared_radii(std::uint32_t a, std::uint32_t b) const;
+  int vertical_direction(BranchId branch, const Point& p) const;
+  bool same_support(std::uint32_t a, std::uint32_t b) const;
+  bool is_on(const Point& p, BranchId branch) const;
+  int common_points(BranchId a, BranchId b, Point out[2]) const;
   /// What the filter knows of a crossing.
   enum class Certainty : std::uint8_t { unknown, none, certified };
+  Certainty cross(std::uint32_t a, std::uint32_t b, RoundedCrossing& out) const;
   Certainty cross_circles(const CircularSupport& a, const CircularSupport& b, RoundedCrossing& out) const;
   Certainty cross_circle_line(const CircularSupport& circle, const CircularSupport& line, RoundedCrossing& out) const;
   Certainty cross_lines(const CircularSupport& a, const CircularSupport& b, RoundedCrossing& out) const;
+  int cross_exactly(std::uint32_t a, std::uint32_t b, RoundedCrossing& out) const;
   Point crossing_point(std::uint32_t a, std::uint32_t b, int root, const RoundedCrossing& numbers) const;
   Sign find_half(const Point& p, std::uint32_t circle) const;
 
