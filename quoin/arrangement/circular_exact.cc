@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <type_traits>
+#include <utility>
 
 #include "quoin/arrangement/circular_kernel.h"
 #include "quoin/number/error_free.h"
@@ -408,6 +409,15 @@ bool same_support(const CircularPools& pools, std::uint32_t a, std::uint32_t b) 
     return (one.x - two.x).sign() == Sign::zero && (one.y - two.y).sign() == Sign::zero &&
            (one.squared_radius - two.squared_radius).sign() == Sign::zero;
   });
+}
+
+IntegerPoint integers(const CircularPools& pools, const CircularPoint& p) {
+  Grid grid(pools);
+  grid.add_point(p);
+  const BigReader reader(grid);
+  ExactPoint<Integers> q = point_of(reader, p);
+  return {std::move(q.ax), std::move(q.bx), std::move(q.ay),
+          std::move(q.by), std::move(q.c),  q.d * reader.denominator()};
 }
 
 CircularPoint approximate(const CircularPools& pools, const CircularPoint& p) {

@@ -49,4 +49,15 @@ bool same_support(const CircularPools& pools, std::uint32_t a, std::uint32_t b);
 /// The coordinates of a point rounded, with a relative error of 2^-48 where they have no cancellation.
 CircularPoint approximate(const CircularPools& pools, const CircularPoint& p);
 
+/// The coordinates (ax + bx sqrt c) / d and (ay + by sqrt c) / d, d > 0, c >= 0.
+struct IntegerPoint {
+  Integer ax;
+  Integer bx;
+  Integer ay;
+  Integer by;
+  Integer c;
+  Integer d;
+};
+IntegerPoint integers(const CircularPools& pools, const CircularPoint& p);
+
 }  // namespace quoin::circular_exact

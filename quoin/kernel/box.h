@@ -63,4 +63,45 @@ class Box3 {
   Point3 high_{-infinity, -infinity, -infinity};
 };
 
+/// The same in the plane.
+class Box2 {
+ public:
+  constexpr Box2() = default;
+  constexpr Box2(const Point2& a, const Point2& b) {
+    extend(a);
+    extend(b);
+  }
+
+  constexpr bool is_empty() const { return low_.x > high_.x; }
+  constexpr const Point2& low() const { return low_; }
+  constexpr const Point2& high() const { return high_; }
+
+  constexpr void extend(const Point2& p) {
+    low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y)};
+    high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y)};
+  }
+  constexpr void extend(const Box2& other) {
+    if (other.is_empty()) return;
+    extend(other.low_);
+    extend(other.high_);
+  }
+
+  constexpr bool contains(const Point2& p) const {
+    return low_.x <= p.x && p.x <= high_.x && low_.y <= p.y && p.y <= high_.y;
+  }
+  constexpr bool contains(const Box2& other) const {
+    return other.is_empty() || (contains(other.low_) && contains(other.high_));
+  }
+  constexpr bool overlaps(const Box2& other) const {
+    return low_.x <= other.high_.x && other.low_.x <= high_.x && low_.y <= other.high_.y && other.low_.y <= high_.y;
+  }
+
+  friend constexpr bool operator==(const Box2&, const Box2&) = default;
+
+ private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  Point2 low_{infinity, infinity};
+  Point2 high_{-infinity, -infinity};
+};
+
 }  // namespace quoin
