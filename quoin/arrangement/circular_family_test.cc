@@ -281,6 +281,56 @@ void add_bulges(Scene& scene, Random& random, const Placement& place) {
   }
 }
 
+/// Moved by a few units in the last place.
+double nudged(Random& random, double value) {
+  for (int i = pick(random, -3, 3); i != 0; i += i < 0 ? 1 : -1) {
+    value = std::nextafter(value, i < 0 ? -1e300 : 1e300);
+  }
+  return value;
+}
+
+/// Circles and lines that nearly touch, nearly coincide, or nearly pass through one point.
+void add_near(Scene& scene, Random& random, const Placement& place) {
+  std::uniform_real_distribution<double> real(0, 4);
+  const Point2 c = place(real(random), real(random));
+  const double r = place.scale * (0.25 + real(random));
+  const double angle = 1.6 * real(random);
+  const Point2 n{std::cos(angle), std::sin(angle)};
+  const auto circle = [&](double x, double y, double radius) {
+    if (radius <= 0) return;
+    const Point2 centre{nudged(random, x), nudged(random, y)};
+    if (random() % 3 != 0) return scene.circle(centre, nudged(random, radius));
+    const Rational third(Integer(1), Integer(3));
+    const Rational size(radius);
+    scene.circle({Rational(centre.x) + third * Rational(std::ldexp(centre.x, -52)), centre.y,
+                  size * size * (Rational(1) + third * Rational(0x1p-52))});
+  };
+  scene.circle(c, r);
+  for (int i = pick(random, 2, 3); i > 0; --i) {
+    const double s =
+        random() % 3 == 0 ? r * std::ldexp(1.0, pick(random, -12, 4)) : place.scale * (0.25 + real(random));
+    switch (random() % 5) {
+      case 0:
+        circle(c.x + (r + s) * n.x, c.y + (r + s) * n.y, s);
+        break;
+      case 1:
+        circle(c.x + (r - s) * n.x, c.y + (r - s) * n.y, s);
+        break;
+      case 2:
+        circle(c.x, c.y, r);
+        break;
+      case 3: {
+        const double turn = 1.6 * real(random);
+        circle(c.x + r * n.x + s * std::cos(turn), c.y + r * n.y + s * std::sin(turn), s);
+        break;
+      }
+      default:
+        scene.segment(Point2{nudged(random, c.x + r * n.x - s * n.y), nudged(random, c.y + r * n.y + s * n.x)},
+                      Point2{nudged(random, c.x + r * n.x + s * n.y), nudged(random, c.y + r * n.y - s * n.x)});
+    }
+  }
+}
+
 using Generator = void (*)(Scene&, Random&, const Placement&);
 
 void check_scenes(const std::vector<Generator>& generators, const std::function<Placement(Random&)>& placement,
@@ -350,6 +400,17 @@ TEST(CircularFamily, RandomDoubles) {
   check_scenes({add_random}, unplaced, 6, 60, &cases);
   check_scenes({add_random, add_tiny}, unplaced, 7, 20, &cases);
   EXPECT_GT(cases.crossing, 300U);
+}
+
+TEST(CircularFamily, NearlyDegenerateDoubles) {
+  const auto anywhere = [](Random& random) {
+    const double far = random() % 2 == 0 ? 0 : std::ldexp(1.0, pick(random, 0, 30));
+    return Placement{std::ldexp(1.0, pick(random, -10, 10)), far, -far};
+  };
+  FamilyCases cases;
+  check_scenes({add_near}, unplaced, 12, 150, &cases);
+  check_scenes({add_near}, anywhere, 13, 60, &cases);
+  EXPECT_GT(cases.crossing, 100U);
 }
 
 TEST(CircularFamily, RationalSupports) {
