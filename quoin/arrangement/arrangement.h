@@ -8,10 +8,14 @@
 
 #include "quoin/arrangement/dcel.h"
 #include "quoin/arrangement/history.h"
+#include "quoin/arrangement/observer.h"
 #include "quoin/arrangement/pieces.h"
 #include "quoin/base/context.h"
 
 namespace quoin {
+
+template <CurveFamily F>
+class ArrangementEditor;
 
 /// A subdivision of a surface by curves of one family: the family owns all numbers, the cells are plain links, and an
 /// edge is a branch between two vertices.
@@ -45,7 +49,9 @@ class Arrangement {
 
   /// Of a vertex, fictitious ones (ends at infinity) too, but for the four corners of the frame.
   const Point& point(dcel::VertexId v) const { return points_[v.index()]; }
-  bool has_point(dcel::VertexId v) const { return v.index() < points_.size(); }
+  bool has_point(dcel::VertexId v) const {
+    return v.index() < points_.size() && (cells_.is_real(v) || family_.side(point(v)) != Side::interior);
+  }
   /// Of a real edge.
   BranchId branch(dcel::EdgeId e) const { return branches_[e.index()]; }
   dcel::VertexId left(dcel::EdgeId e) const { return cells_.origin(dcel::HalfedgeId(e, false)); }
@@ -65,10 +71,14 @@ class Arrangement {
     history_ = std::move(history);
     curve_count_ = curve_count;
   }
+  /// Tells the observer of every change from now on, until it is detached.
+  void attach(ArrangementObserver& observer) { observers_.attach(observer, cells_); }
+
   /// Where surfaces have glued sides, edges keep their own end points.
   void set_end_points(std::vector<std::pair<Point, Point>> ends) { end_points_ = std::move(ends); }
 
  private:
+  friend class ArrangementEditor<F>;
   const std::pair<Point, Point>& ends(dcel::EdgeId e) const { return end_points_[e.index()]; }
 
   F family_;
@@ -78,6 +88,7 @@ class Arrangement {
   CurveHistory history_;
   std::uint32_t curve_count_ = 0;
   std::vector<std::pair<Point, Point>> end_points_;  // by edge; empty where vertices' points serve
+  ObserverList observers_;
 };
 
 /// The arrangement of all pieces and lone points of a list, by one sweep; curve k of the list is curve k of the

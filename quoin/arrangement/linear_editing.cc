@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quoin/arrangement/linear_editing.h"
+
+#include "quoin/arrangement/cell_geometry_impl.h"
+#include "quoin/arrangement/insert_impl.h"
+
+namespace quoin {
+
+template class CellGeometry<LinearFamily>;
+template class ArrangementEditor<LinearFamily>;
+template ZoneCell locate_naively(const LinearArrangement&, const LinearPoint&);
+template void zone(const LinearArrangement&, const ZonePiece<LinearPoint>&, ZoneVisitor<LinearPoint>&,
+                   const ZoneLocator<LinearPoint>&);
+template std::vector<ZoneStep<LinearPoint>> zone_steps(const LinearArrangement&, const ZonePiece<LinearPoint>&,
+                                                       const ZoneLocator<LinearPoint>&);
+template bool meets_anything(const LinearArrangement&, const ZonePiece<LinearPoint>&, const ZoneLocator<LinearPoint>&);
+template CurveId insert(LinearArrangement&, const LinearFamily&, const PieceList<LinearFamily>&, const Context&,
+                        const InsertOptions<LinearPoint>&);
+template CurveId insert_many(LinearArrangement&, const LinearFamily&, const PieceList<LinearFamily>&, const Context&);
+template CellMap renumber(LinearArrangement&, const Context&);
+template void remove_curve(LinearArrangement&, CurveId, const RemoveCurveOptions&);
+
+}  // namespace quoin
