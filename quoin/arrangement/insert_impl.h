@@ -91,7 +91,8 @@ void remove_curve(Arrangement<F>& arrangement, CurveId curve, const RemoveCurveO
   }
   ArrangementEditor<F> editor(arrangement);
   std::vector<dcel::VertexId> touched;
-  for (const dcel::EdgeId e : arrangement.history().edges_by_curve(arrangement.curve_count())[curve.index()]) {
+  const auto edges = arrangement.history().edges_by_curve(arrangement.curve_count());
+  for (const dcel::EdgeId e : edges[curve.index()]) {
     if (!arrangement.cells().is_real(e)) continue;  // listed twice: the curve runs along it twice
     touched.push_back(arrangement.left(e));
     touched.push_back(arrangement.right(e));
