@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quoin/arrangement/linear_location.h"
+
+#include "quoin/arrangement/batch_location_impl.h"
+#include "quoin/arrangement/trapezoid_locator_impl.h"
+
+namespace quoin {
+
+static_assert(VerticalFamily<LinearFamily>);
+static_assert(RayShooter<NaiveLocator<LinearFamily>>);
+static_assert(RayShooter<TrapezoidLocator<LinearFamily>>);
+
+template class TrapezoidMapBuilder<LinearFamily>;
+template class TrapezoidLocator<LinearFamily>;
+template std::vector<Location> locate_batch(const LinearArrangement&, std::span<const LinearPoint>, const Context&);
+
+}  // namespace quoin

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "quoin/arrangement/batch_location.h"
+#include "quoin/arrangement/linear_arrangement.h"
+#include "quoin/arrangement/trapezoid_locator.h"
+
+/// Point location in arrangements of segments, rays and lines; see location.h.
+namespace quoin {
+
+extern template class TrapezoidMapBuilder<LinearFamily>;
+extern template class TrapezoidLocator<LinearFamily>;
+extern template std::vector<Location> locate_batch(const LinearArrangement&, std::span<const LinearPoint>,
+                                                   const Context&);
+
+}  // namespace quoin
