@@ -3,6 +3,7 @@
 
 #include "quoin/arrangement/batch_location_impl.h"
 #include "quoin/arrangement/trapezoid_locator_impl.h"
+#include "quoin/arrangement/vertical_decomposition_impl.h"
 
 namespace quoin {
 
@@ -13,5 +14,8 @@ static_assert(RayShooter<TrapezoidLocator<LinearFamily>>);
 template class TrapezoidMapBuilder<LinearFamily>;
 template class TrapezoidLocator<LinearFamily>;
 template std::vector<Location> locate_batch(const LinearArrangement&, std::span<const LinearPoint>, const Context&);
+
+template VerticalDecomposition decompose_vertically(const LinearArrangement&, const DecompositionOptions&,
+                                                    const Context&);
 
 }  // namespace quoin

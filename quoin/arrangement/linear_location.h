@@ -4,6 +4,7 @@
 #include "quoin/arrangement/batch_location.h"
 #include "quoin/arrangement/linear_arrangement.h"
 #include "quoin/arrangement/trapezoid_locator.h"
+#include "quoin/arrangement/vertical_decomposition.h"
 
 /// Point location in arrangements of segments, rays and lines; see location.h.
 namespace quoin {
@@ -12,5 +13,8 @@ extern template class TrapezoidMapBuilder<LinearFamily>;
 extern template class TrapezoidLocator<LinearFamily>;
 extern template std::vector<Location> locate_batch(const LinearArrangement&, std::span<const LinearPoint>,
                                                    const Context&);
+
+extern template VerticalDecomposition decompose_vertically(const LinearArrangement&, const DecompositionOptions&,
+                                                           const Context&);
 
 }  // namespace quoin

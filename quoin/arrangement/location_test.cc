@@ -11,6 +11,7 @@
 
 #include "quoin/arrangement/linear_location.h"
 #include "quoin/arrangement/location_scenes.h"
+#include "quoin/arrangement/walk_locator.h"
 
 namespace quoin {
 namespace {
@@ -25,6 +26,7 @@ TEST(PointLocation, AllStrategiesAgreeWithScans) {
     SCOPED_TRACE(scene.name);
     const NaiveLocator<LinearFamily> naive(scene.arrangement);
     const TrapezoidLocator<LinearFamily> trapezoids(scene.arrangement);
+    const WalkLocator<LinearFamily> walk(scene.arrangement);
     const std::vector<Location> batch =
         locate_batch(scene.arrangement, std::span<const LinearPoint>(scene.queries), Context());
     for (std::size_t i = 0; i < scene.queries.size(); ++i) {
@@ -32,6 +34,7 @@ TEST(PointLocation, AllStrategiesAgreeWithScans) {
       SCOPED_TRACE(testing::Message() << "query " << i << " (" << p.x << ", " << p.y << ")");
       const Location expected = naive.locate(p);
       ASSERT_EQ(name(trapezoids.locate(p)), name(expected));
+      ASSERT_EQ(name(walk.locate(p)), name(expected));
       ASSERT_EQ(name(batch[i]), name(expected));
     }
   }
@@ -42,12 +45,15 @@ TEST(PointLocation, RaysAgreeWithScans) {
     SCOPED_TRACE(scene.name);
     const NaiveLocator<LinearFamily> naive(scene.arrangement);
     const TrapezoidLocator<LinearFamily> trapezoids(scene.arrangement);
+    const WalkLocator<LinearFamily> walk(scene.arrangement);
     for (std::size_t i = 0; i < scene.queries.size(); ++i) {
       const LinearPoint& p = scene.queries[i];
       for (const Direction direction : {Direction::down, Direction::up}) {
         SCOPED_TRACE(testing::Message() << "query " << i << " (" << p.x << ", " << p.y << ") "
                                         << (direction == Direction::up ? "up" : "down"));
-        ASSERT_EQ(name(trapezoids.shoot(p, direction)), name(naive.shoot(p, direction)));
+        const Location expected = naive.shoot(p, direction);
+        ASSERT_EQ(name(trapezoids.shoot(p, direction)), name(expected));
+        ASSERT_EQ(name(walk.shoot(p, direction)), name(expected));
       }
     }
   }
