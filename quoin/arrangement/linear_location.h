@@ -2,6 +2,7 @@
 #pragma once
 
 #include "quoin/arrangement/batch_location.h"
+#include "quoin/arrangement/grid_locator.h"
 #include "quoin/arrangement/linear_arrangement.h"
 #include "quoin/arrangement/trapezoid_locator.h"
 #include "quoin/arrangement/vertical_decomposition.h"
@@ -9,8 +10,12 @@
 /// Point location in arrangements of segments, rays and lines; see location.h.
 namespace quoin {
 
+template <>
+inline constexpr bool has_straight_branches<LinearFamily> = true;
+
 extern template class TrapezoidMapBuilder<LinearFamily>;
 extern template class TrapezoidLocator<LinearFamily>;
+extern template class GridLocator<LinearFamily>;
 extern template std::vector<Location> locate_batch(const LinearArrangement&, std::span<const LinearPoint>,
                                                    const Context&);
 

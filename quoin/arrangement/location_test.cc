@@ -27,6 +27,7 @@ TEST(PointLocation, AllStrategiesAgreeWithScans) {
     const NaiveLocator<LinearFamily> naive(scene.arrangement);
     const TrapezoidLocator<LinearFamily> trapezoids(scene.arrangement);
     const WalkLocator<LinearFamily> walk(scene.arrangement);
+    const GridLocator<LinearFamily> grid(scene.arrangement);
     const std::vector<Location> batch =
         locate_batch(scene.arrangement, std::span<const LinearPoint>(scene.queries), Context());
     for (std::size_t i = 0; i < scene.queries.size(); ++i) {
@@ -35,6 +36,7 @@ TEST(PointLocation, AllStrategiesAgreeWithScans) {
       const Location expected = naive.locate(p);
       ASSERT_EQ(name(trapezoids.locate(p)), name(expected));
       ASSERT_EQ(name(walk.locate(p)), name(expected));
+      ASSERT_EQ(name(grid.locate(p)), name(expected));
       ASSERT_EQ(name(batch[i]), name(expected));
     }
   }
