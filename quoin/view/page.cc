@@ -2,13 +2,13 @@
 #include "quoin/view/page.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 
 #include "quoin/base/error.h"
 #include "quoin/view/base64.h"
 #include "quoin/view/page_format.h"
+#include "quoin/view/page_text.h"
 #include "quoin/view/scene_check.h"
 
 namespace quoin {
@@ -206,18 +206,6 @@ class PageWriter {
  public:
   PageWriter(std::ostream& out, const ViewScene& scene) : out_(out), scene_(scene), frame_(frame_of(scene)) {}
 
-  void write_title() {
-    const std::string_view title = scene_.title.empty() ? "Quoin" : std::string_view(scene_.title);
-    for (const char c : title) {
-      if (c == '<')
-        out_ << "&lt;";
-      else if (c == '&')
-        out_ << "&amp;";
-      else if (c != '\0')
-        out_ << c;
-    }
-  }
-
   void write_scene() {
     out_ << "<script type=\"application/json\" id=\"quoin-scene\">";
     write_header();
@@ -299,47 +287,13 @@ class PageWriter {
 
   template <class List, class Write>
   void write_list(const List& list, const Write& write) {
-    out_ << '[';
-    const char* separator = "";
-    for (const auto& item : list) {
-      out_ << separator;
-      write(item);
-      separator = ",";
-    }
-    out_ << ']';
+    page_text::write_json_list(out_, list, write);
   }
-
-  void write_facts(const std::vector<ViewFact>& facts) {
-    write_list(facts, [&](const ViewFact& fact) {
-      out_ << '[';
-      write_string(fact.first);
-      out_ << ',';
-      write_string(fact.second);
-      out_ << ']';
-    });
-  }
-
-  /// As a JSON string in which no '<' can end the script element that holds it.
-  void write_string(std::string_view text) {
-    constexpr char digits[] = "0123456789abcdef";
-    out_ << '"';
-    for (const char c : text) {
-      const auto byte = static_cast<unsigned char>(c);
-      if (byte < 0x20 || c == '<' || c == '"' || c == '\\') {
-        out_ << "\\u00" << digits[byte >> 4] << digits[byte & 15];
-      } else {
-        out_ << c;
-      }
-    }
-    out_ << '"';
-  }
-
-  /// Not through operator<<, whose result depends on the stream's flags and locale.
+  void write_facts(const std::vector<ViewFact>& facts) { page_text::write_json_facts(out_, facts); }
+  void write_string(std::string_view text) { page_text::write_json_string(out_, text); }
   template <class Number>
   void write_number(Number value) {
-    std::array<char, 32> text;
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-    out_.write(text.data(), end - text.data());
+    page_text::write_number(out_, value);
   }
 
   std::ostream& out_;
@@ -357,19 +311,14 @@ void write_page(std::ostream& out, const ViewScene& scene) {
 }
 
 void write_page(std::ostream& out, const ViewScene& scene, std::string_view page_template) {
-  const std::size_t title = page_template.find(page_format::title_marker);
-  const std::size_t data = page_template.find(page_format::scene_marker);
-  if (title == std::string_view::npos || data == std::string_view::npos || data < title) {
-    throw InternalError("view: the page template lacks its markers");
-  }
+  const page_text::Template page = page_text::split_template(page_template);
   check_scene(scene);
   PageWriter writer(out, scene);
-  out << page_template.substr(0, title);
-  writer.write_title();
-  const std::size_t after_title = title + page_format::title_marker.size();
-  out << page_template.substr(after_title, data - after_title);
+  out << page.before_title;
+  page_text::write_title(out, scene.title);
+  out << page.before_scene;
   writer.write_scene();
-  out << page_template.substr(data + page_format::scene_marker.size());
+  out << page.rest;
 }
 
 }  // namespace quoin
