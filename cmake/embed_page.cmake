@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# cmake -DFROM=page.html -DTO=page_template.cc -P embed_page.cmake: the bytes of a text file as a C++ function.
+# cmake -DFROM=page.html -DTO=page_template.cc -DNAME=built_page_template -P embed_page.cmake: the bytes of a text file as
+# a C++ function of that name.
 file(READ "${FROM}" page)
 string(FIND "${page}" "@@QUOIN_TITLE@@" title)
 string(FIND "${page}" "<!--@@QUOIN_SCENE@@-->" scene)
@@ -9,7 +10,7 @@ if(title LESS 0 OR scene LESS 0 OR end GREATER_EQUAL 0)
 endif()
 file(WRITE "${TO}" "#include <string_view>
 namespace quoin {
-std::string_view built_page_template();
-std::string_view built_page_template() { return R\"page(${page})page\"; }
+std::string_view ${NAME}();
+std::string_view ${NAME}() { return R\"page(${page})page\"; }
 }  // namespace quoin
 ")

@@ -7,26 +7,16 @@
 
 #include "quoin/base/error.h"
 #include "quoin/view/base64.h"
+#include "quoin/view/built_templates.h"
 #include "quoin/view/page_format.h"
 #include "quoin/view/page_text.h"
 #include "quoin/view/scene_check.h"
 
 namespace quoin {
 
-#ifdef QUOIN_HAS_VIEW
-/// What web/ builds, defined in a generated file.
-std::string_view built_page_template();
 bool has_view() {
-  return true;
+  return !built_page_template().empty();
 }
-#else
-static std::string_view built_page_template() {
-  return {};
-}
-bool has_view() {
-  return false;
-}
-#endif
 
 namespace {
 

@@ -202,7 +202,7 @@ function readArray(header: ArrayHeader | undefined) {
 }
 
 /** Of padded base64 without white space. Not through atob, which would need the binary as one more string. */
-function decodeBase64(text: string): Uint8Array {
+export function decodeBase64(text: string): Uint8Array {
   const digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   const values = new Uint8Array(256);
   for (let i = 0; i < 64; ++i) values[digits.charCodeAt(i)] = i;

@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 
+#include "make_pictures.h"
 #include "quoin/base/error.h"
 #include "quoin/view/page.h"
 
@@ -191,6 +192,7 @@ int main(int argc, char** argv) {
     write(directory + "/spanned.html", spanned());
     write(directory + "/far.html", far_away());
     write(directory + "/empty.html", ViewScene{.title = "Nothing"});
+    write_pictures(directory);
     if (argc > 2 && std::string_view(argv[2]) == "--large") write(directory + "/large.html", ball(708));
   } catch (const Error& error) {
     std::cerr << "view_pages: " << error.what() << '\n';

@@ -2,7 +2,7 @@
 import { el, icon } from "./dom";
 import { icons } from "./icons";
 
-const keys: [string, string][] = [
+const keysOfSolids: [string, string][] = [
   ["Drag", "turn"],
   ["Right drag, two fingers", "move"],
   ["Wheel, pinch", "zoom to the pointer"],
@@ -18,7 +18,7 @@ const keys: [string, string][] = [
   ["Esc", "let go"],
 ];
 
-export function helpSheet(): HTMLDialogElement {
+export function helpSheet(keys = keysOfSolids): HTMLDialogElement {
   const list = el("dl", { class: "keys" });
   for (const [key, what] of keys) {
     const names = /^[A-Z1-9]( |$)/.test(key) ? key.split(/ +/).map((k) => el("kbd", {}, k)) : [el("span", {}, key)];

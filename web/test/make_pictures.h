@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+namespace quoin {
+
+/// Writes the pages and drawings that pictures.test.mjs looks at.
+void write_pictures(const std::string& directory);
+
+}  // namespace quoin
