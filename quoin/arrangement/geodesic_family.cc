@@ -108,7 +108,7 @@ bool GeodesicFamily::first_meeting(BranchId lower, const Point& lower_end, Branc
     return true;
   }
   out = crossing(support(upper), support(lower));
-  return out.column == 0 && compare_xy(after, out) == Sign::negative && compare_xy(out, end) == Sign::negative;
+  return compare_xy(after, out) == Sign::negative && compare_xy(out, end) == Sign::negative;
 }
 
 bool GeodesicFamily::first_meeting_vertical(BranchId vertical, const Point& vertical_end, BranchId other,

@@ -166,10 +166,12 @@ inline bool is_on_arc(const Triple& source, const Triple& target, const Triple& 
   return same_ray(source, target) || !comes_before(normal, source, target, q);
 }
 
-/// The kinds of directions that tests draw.
-enum class Draw { tiny, short_integers, nearly_tiny, doubles, long_integers, mixed };
-inline constexpr std::array<Draw, 6> all_draws{Draw::tiny,    Draw::short_integers, Draw::nearly_tiny,
-                                               Draw::doubles, Draw::long_integers,  Draw::mixed};
+/// The kinds of directions that tests draw. `underflow`: beside small integers components so small that doubles of
+/// their products vanish.
+enum class Draw { tiny, short_integers, nearly_tiny, doubles, long_integers, underflow, mixed };
+inline constexpr std::array<Draw, 7> all_draws{Draw::tiny,    Draw::short_integers, Draw::nearly_tiny,
+                                               Draw::doubles, Draw::long_integers,  Draw::underflow,
+                                               Draw::mixed};
 
 /// Draws directions of a kind; never zero.
 class Directions {
@@ -180,10 +182,17 @@ class Directions {
 
   Triple next() {
     Draw draw = draw_;
-    if (draw == Draw::mixed) draw = all_draws[below(5)];
+    if (draw == Draw::mixed) draw = all_draws[below(6)];
     while (true) {
       Triple d;
       for (Rational& value : d) value = component(draw);
+      if (draw == Draw::underflow) {
+        const Rational scale(std::ldexp(1.0, -520 - static_cast<int>(below(2)) * 520));
+        const bool is_upright = below(2) == 0;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          if ((axis == 2) != is_upright) d[axis] = component(Draw::doubles) * scale;
+        }
+      }
       if (!is_zero(d)) return d;
     }
   }
