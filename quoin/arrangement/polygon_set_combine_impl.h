@@ -30,6 +30,8 @@ struct Membership {
         return in_first && count == 1;
       case SetOperation::symmetric_difference:
         return count % 2 == 1;
+      case SetOperation::first:
+        return in_first;
     }
     return false;
   }

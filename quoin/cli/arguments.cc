@@ -115,6 +115,47 @@ void add_queries(CLI::App& app, Options& options) {
   interfere->add_option("files", options.inputs, "two or more meshes or .qsolid")->required()->expected(2, 1 << 20);
 }
 
+void add_pictures(CLI::App& command, Options& options, const std::string& formats) {
+  add_repeatable(command, "-o,--output", options.outputs,
+                 "file to write, format by its ending: " + formats +
+                     "svg (a picture), html (a page to look into it); '-' for standard output; may be repeated");
+  command.add_option("--format", options.format, "format of standard output: an ending without its dot");
+  command.add_flag("--labels", options.labels, "numbers of cells in pictures");
+}
+
+void add_drawings(CLI::App& command, Options& options) {
+  command
+      .add_option("files", options.inputs,
+                  "drawings: wkt, geojson, svg paths, dxf; '-' for standard input; or WKT itself")
+      ->required();
+}
+
+void add_planar(CLI::App& app, Options& options) {
+  CLI::App* arrange =
+      add_command(app, options, "arrange", "what curves of the plane divide it into: vertices, edges, faces");
+  add_drawings(*arrange, options);
+  add_pictures(*arrange, options, "");
+  CLI::App* overlay = add_command(app, options, "overlay", "several arrangements over one another, a file each");
+  add_drawings(*overlay, options);
+  add_pictures(*overlay, options, "");
+  CLI::App* locate = add_command(app, options, "locate", "which vertex, edge or face of an arrangement holds a point");
+  add_drawings(*locate, options);
+  add_repeatable(*locate, "--point", options.points, "x,y (may be repeated)");
+  locate->add_option("--points", options.points_file, "file with a point per line; '-' for standard input");
+  add_pictures(*locate, options, "");
+  CLI::App* polygon = add_command(app, options, "polygon", "sets of points bounded by segments and arcs, a file each");
+  polygon->add_option("operation", options.operation, "union, intersection, difference, xor")
+      ->required()
+      ->check(CLI::IsMember({"union", "intersection", "difference", "xor"}));
+  add_drawings(*polygon, options);
+  add_pictures(*polygon, options, "wkt geojson dxf (certified), ");
+  polygon->add_option("--fill", options.fill,
+                      "read rings that cross by a rule: even-odd, nonzero, positive (default: they are refused)");
+  polygon->add_option("--flatten", options.flatten, "chords no further than this from arcs, where a format has no arcs")
+      ->check(finite_number(false));
+  polygon->add_flag("--plain", options.plain, "without regularization: edges and points without area stay");
+}
+
 void add_commands(CLI::App& app, Options& options) {
   add_booleans(app, options);
   add_files(*add_command(app, options, "info", "what a solid is: volume, area, counts, bounds, centroid"), options);
@@ -124,6 +165,7 @@ void add_commands(CLI::App& app, Options& options) {
   add_one_file(*add_maker(app, options, "convert", "one format to another, faces merged where coplanar"), options);
   add_one_file(*add_maker(app, options, "view", "a page to look at a solid in the browser"), options);
   add_queries(app, options);
+  add_planar(app, options);
 }
 
 }  // namespace

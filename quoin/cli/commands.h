@@ -17,6 +17,10 @@ int run_convert(const Options& options, const Context& context);
 int run_classify(const Options& options, const Context& context);
 int run_section(const Options& options, const Context& context);
 int run_interfere(const Options& options, const Context& context);
+int run_arrange(const Options& options, const Context& context);
+int run_overlay(const Options& options, const Context& context);
+int run_locate(const Options& options, const Context& context);
+int run_polygon(const Options& options, const Context& context);
 int run_view(const Options& options, const Context& context);
 
 }  // namespace quoin::cli

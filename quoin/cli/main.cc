@@ -39,6 +39,10 @@ int run(const Options& options) {
                                                {"repair", run_repair},
                                                {"convert", run_convert},
                                                {"view", run_view},
+                                               {"arrange", run_arrange},
+                                               {"overlay", run_overlay},
+                                               {"locate", run_locate},
+                                               {"polygon", run_polygon},
                                                {"classify", run_classify},
                                                {"section", run_section},
                                                {"interfere", run_interfere}};

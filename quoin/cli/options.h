@@ -22,6 +22,14 @@ struct Options {
   std::vector<std::string> lines;    ///< of `classify`: "x,y,z,dx,dy,dz"
   std::string points_file;           ///< of `classify`: a point per line, "-" for standard input
   std::string plane;                 ///< of `section`: "a,b,c,d"
+  std::string operation;             ///< of `polygon`
+  std::string fill;                  ///< of `polygon`: how rings that cross are read; empty: they are refused
+  std::optional<double> distance;    ///< of `polygon offset`
+  std::optional<double> precision;   ///< of `polygon offset`: how far a bound may be from the true curve
+  std::optional<double> flatten;     ///< chords instead of arcs, no further than this from them
+  bool plain = false;                ///< of `polygon`: edges and points without area stay
+  bool labels = false;               ///< numbers in pictures
+  bool upper = false;                ///< of `envelope`
   bool json = false;
   bool quiet = false;
   bool verbose = false;

@@ -31,13 +31,43 @@ Target drawing_target(const std::string& name) {
   return {name, Target::Kind::drawing};
 }
 
+Target planar_target(const std::string& name, const std::string& ending, const Options& options) {
+  Target target{name, Target::Kind::planar};
+  if (ending == ".html" || ending == ".htm") {
+    target.kind = Target::Kind::planar_page;
+  } else if (ending == ".svg") {
+    target.kind = Target::Kind::picture;
+  } else {
+    const auto format = drawing_format_from_path("x" + ending);
+    const bool writes_drawings = options.command == "polygon" || options.command == "envelope";
+    if (!format || !writes_drawings) {
+      throw UsageError((name == standard_stream ? "--format '" + ending.substr(1) + "'" : name + ": the ending") +
+                       " tells no format that is written (" + (writes_drawings ? "wkt, geojson, dxf, " : "") +
+                       "svg, html)");
+    }
+    target.planar_format = *format;
+  }
+  return target;
+}
+
 Target target_of(const std::string& name, const Options& options) {
+  if (is_planar(options.command)) {
+    const bool has_default = options.command == "polygon" || options.command == "envelope";
+    if (name != standard_stream) return planar_target(name, ending_of(name), options);
+    const std::string format = options.format.empty() ? (has_default ? "wkt" : "svg") : options.format;
+    return planar_target(name, in_small_letters("." + format), options);
+  }
   if (options.command == "section") return drawing_target(name);
   if (name != standard_stream) return solid_target(name, ending_of(name));
   return solid_target(name, in_small_letters("." + (options.format.empty() ? "off" : options.format)));
 }
 
 }  // namespace
+
+bool is_planar(const std::string& command) {
+  static const std::unordered_set<std::string> commands{"arrange", "overlay", "polygon", "locate", "envelope"};
+  return commands.contains(command);
+}
 
 std::vector<Target> targets_of(const Options& options) {
   std::vector<Target> targets;
@@ -50,7 +80,8 @@ void require_known_targets(const Options& options) {
   if (!options.format.empty() && std::none_of(targets.begin(), targets.end(), std::mem_fn(&Target::is_stream)))
     throw UsageError("--format is that of standard output: it goes with '-o -'");
   for (const Target& target : targets) {
-    if (target.kind == Target::Kind::page && !has_view())
+    const bool is_page = target.kind == Target::Kind::page || target.kind == Target::Kind::planar_page;
+    if (is_page && !has_view())
       throw InputError(target.name + ": the view was not built into this quoin, so that it writes no pages");
   }
 }

@@ -5,19 +5,24 @@
 #include <vector>
 
 #include "quoin/cli/options.h"
+#include "quoin/io/drawing.h"
 #include "quoin/io/mesh_file.h"
 
 namespace quoin::cli {
 
 /// What an output is to hold.
 struct Target {
-  enum class Kind { mesh, page, exact, drawing };
+  enum class Kind { mesh, page, exact, drawing, planar, picture, planar_page };
   std::string name;
   Kind kind = Kind::mesh;
-  MeshFormat format = MeshFormat::off;  ///< of Kind::mesh
+  MeshFormat format = MeshFormat::off;               ///< of Kind::mesh
+  DrawingFormat planar_format = DrawingFormat::wkt;  ///< of Kind::planar
 
   bool is_stream() const { return name == standard_stream; }
 };
+
+/// Whether a command is about curves and regions of the plane.
+bool is_planar(const std::string& command);
 
 /// The outputs by their endings, in any case; "-" by options.format, OFF without one (SVG for `section`).
 /// @throws UsageError  an ending or format that the command does not write

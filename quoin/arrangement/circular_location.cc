@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quoin/arrangement/circular_location.h"
+
+#include "quoin/arrangement/batch_location_impl.h"
+#include "quoin/arrangement/grid_build_impl.h"
+#include "quoin/arrangement/trapezoid_locator_impl.h"
+#include "quoin/arrangement/vertical_decomposition_impl.h"
+#include "quoin/arrangement/walk_locator.h"
+
+namespace quoin {
+
+static_assert(VerticalFamily<CircularFamily>);
+static_assert(RayShooter<NaiveLocator<CircularFamily>>);
+static_assert(RayShooter<WalkLocator<CircularFamily>>);
+static_assert(RayShooter<TrapezoidLocator<CircularFamily>>);
+
+template class TrapezoidMapBuilder<CircularFamily>;
+template class TrapezoidLocator<CircularFamily>;
+template std::vector<Location> locate_batch(const CircularArrangement&, std::span<const CircularPoint>, const Context&);
+
+template VerticalDecomposition decompose_vertically(const CircularArrangement&, const DecompositionOptions&,
+                                                    const Context&);
+
+}  // namespace quoin

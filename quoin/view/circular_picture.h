@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "quoin/arrangement/circular_family.h"
+#include "quoin/view/picture_traits.h"
+
+namespace quoin {
+
+template <>
+struct PictureTraits<CircularFamily> {
+  static PicturePath piece(const CircularFamily& family, BranchId branch, const CircularPoint& left,
+                           const CircularPoint& right, const PictureBox& reach);
+};
+
+}  // namespace quoin
