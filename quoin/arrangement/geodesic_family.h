@@ -72,8 +72,6 @@ class GeodesicFamily {
     std::vector<std::uint32_t> directions;
   };
 
-  GeodesicFamily();
-
   // Input curves. All throw InputError naming the curve, without having added anything, for vectors that are zero or
   // not finite.
 
@@ -148,8 +146,6 @@ class GeodesicFamily {
     std::uint8_t tier = 0;
     bool is_vertical = false;
   };
-  /// The plane y = 0, which holds the identification: support 0.
-  static constexpr std::uint32_t identification_plane = 0;
   // Bounds of |n . p|, derived in geodesic_points.cc.
   static constexpr double crossing_side_error = 0x1p-41;
   static constexpr double direction_side_error = 0x1p-49;

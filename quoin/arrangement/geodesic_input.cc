@@ -26,7 +26,7 @@ void require_direction(const PieceList<GeodesicFamily>& list, const SphereDirect
 
 /// The normal of the support is n or -n: the one with n.z > 0, or n.z = 0 and the first nonzero component positive.
 bool is_canonical(const SphereDirection& n) {
-  for (const std::size_t axis : {2, 0, 1}) {
+  for (const std::size_t axis : {2U, 0U, 1U}) {
     if (n.sign(axis) != Sign::zero) return n.sign(axis) == Sign::positive;
   }
   return true;

@@ -88,10 +88,6 @@ bool difference_of_products(double a, double b, double c, double d, double& out)
 
 }  // namespace
 
-GeodesicFamily::GeodesicFamily() {
-  add_support(std::array<std::int64_t, 3>{0, 1, 0});
-}
-
 std::uint32_t GeodesicFamily::add_support(const SphereDirection& canonical) {
   return settle_support(make_support(normals_.append(canonical)));
 }

@@ -229,4 +229,19 @@ class Directions {
   std::mt19937_64 random_;
 };
 
+/// The curve of a branch.
+inline Curve curve_of(const GeodesicFamily& family, BranchId b) {
+  Curve c;
+  c.normal = to_rationals(family.normal(b));
+  c.is_vertical = family.is_vertical(b);
+  // The half meridian that runs upward about its normal: h = e_z x n.
+  if (c.is_vertical) c.half = {-c.normal[1], c.normal[0], 0};
+  return c;
+}
+
+/// For messages.
+inline std::string named(Draw draw, std::uint64_t seed) {
+  return "draw " + std::to_string(static_cast<int>(draw)) + " seed " + std::to_string(seed);
+}
+
 }  // namespace quoin::test_geodesics
