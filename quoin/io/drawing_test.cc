@@ -87,7 +87,7 @@ TEST(Drawing, EachFormatHoldsItsOwn) {
 
 TEST(Drawing, CutTextsAreRefusedOrRead) {
   Random random(3);
-  for (int i = 0; i < 12; ++i) {
+  for (int i = 0; i < 5; ++i) {
     const Drawing drawing = random_drawing(random, {});
     for (const DrawingFormat format : formats) {
       std::vector<std::string> notes;

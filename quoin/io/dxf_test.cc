@@ -94,9 +94,8 @@ TEST(Dxf, OtherSectionsAreSkippedWithNotes) {
                  "0 ENDSEC\n0 SECTION\n2 BLOCKS\n0 BLOCK\n0 LINE\n0 ENDBLK\n0 ENDSEC\n0 SECTION\n"
                  "2 ENTITIES\n0 POINT\n67 1\n10 0\n20 0\n0 ENDSEC\n0 EOF\n\n"));
   EXPECT_TRUE(drawing.elements.empty());
-  EXPECT_EQ(drawing.notes,
-            (std::vector<std::string>{"the file's unit ($INSUNITS 4) is not kept: 1", "blocks are not read: 1",
-                                      "entities of the paper space are not read: 1 (entity 1)"}));
+  EXPECT_EQ(drawing.notes, (std::vector<std::string>{"the file's unit ($INSUNITS 4) is not kept: 1",
+                                                     "entities of the paper space are not read: 1 (entity 1)"}));
 }
 
 TEST(Dxf, RefusalsNameLineAndElement) {
