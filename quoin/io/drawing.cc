@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <sstream>
 
 #include "quoin/base/error.h"
 #include "quoin/io/drawing_formats.h"
@@ -202,10 +203,11 @@ std::vector<std::string> write_drawing(std::ostream& out, DrawingFormat format, 
 
 std::vector<std::string> write_drawing(const std::filesystem::path& path, DrawingFormat format, const Drawing& drawing,
                                        const DrawingWriteOptions& options, const Context& context) {
-  io::check_structure(drawing);
+  std::ostringstream text;  // what is refused leaves no part of a file
+  std::vector<std::string> notes = write_drawing(text, format, drawing, options, context);
   std::ofstream out(path, std::ios::binary);
   if (!out) throw FileError(path.string() + ": cannot be written");
-  std::vector<std::string> notes = write_drawing(out, format, drawing, options, context);
+  out << text.view();
   out.close();
   if (!out) throw FileError(path.string() + ": writing failed");
   return notes;

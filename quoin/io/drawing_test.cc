@@ -150,6 +150,8 @@ TEST(Drawing, FilesAreWrittenAndRead) {
   EXPECT_TRUE(shapes_equal(read_drawing(path, {}, context), drawing));
   std::filesystem::remove(path);
   EXPECT_THROW((void)read_drawing(path, {}, context), FileError);
+  EXPECT_THROW(write_drawing(path, DrawingFormat::geojson, drawing, {}, context), InputError);  // no arcs
+  EXPECT_FALSE(std::filesystem::exists(path));
   EXPECT_THROW(write_drawing("/nowhere/a.dxf", DrawingFormat::dxf, drawing, {}, context), FileError);
 }
 
