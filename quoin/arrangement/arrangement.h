@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -16,6 +17,14 @@ namespace quoin {
 
 template <CurveFamily F>
 class ArrangementEditor;
+
+/// End points of an edge along its branch, where they are other copies than the points of its vertices.
+template <class Point>
+struct EdgeEnds {
+  dcel::EdgeId edge;
+  Point left;
+  Point right;
+};
 
 /// A subdivision of a surface by curves of one family: the family owns all numbers, the cells are plain links, and an
 /// edge is a branch between two vertices.
@@ -58,8 +67,22 @@ class Arrangement {
   dcel::VertexId right(dcel::EdgeId e) const { return cells_.origin(dcel::HalfedgeId(e, true)); }
   /// Ends of a piece along its branch. On a sphere they may be other copies than the vertices' points: the copy on the
   /// right side, and the end at a pole with the meridian of this edge.
-  const Point& left_point(dcel::EdgeId e) const { return end_points_.empty() ? point(left(e)) : ends(e).first; }
-  const Point& right_point(dcel::EdgeId e) const { return end_points_.empty() ? point(right(e)) : ends(e).second; }
+  const Point& left_point(dcel::EdgeId e) const {
+    const EdgeEnds<Point>* own = own_ends(e);
+    return own == nullptr ? point(left(e)) : own->left;
+  }
+  const Point& right_point(dcel::EdgeId e) const {
+    const EdgeEnds<Point>* own = own_ends(e);
+    return own == nullptr ? point(right(e)) : own->right;
+  }
+  /// Of edges that end on a glued side; null for others.
+  const EdgeEnds<Point>* own_ends(dcel::EdgeId e) const {
+    if (edge_ends_.empty()) return nullptr;
+    const auto found =
+        std::lower_bound(edge_ends_.begin(), edge_ends_.end(), e,
+                         [](const EdgeEnds<Point>& ends, dcel::EdgeId edge) { return ends.edge < edge; });
+    return found != edge_ends_.end() && found->edge == e ? &*found : nullptr;
+  }
 
   std::uint32_t curve_count() const { return curve_count_; }
   /// Input curves that pass along a real edge.
@@ -74,20 +97,18 @@ class Arrangement {
   /// Tells the observer of every change from now on, until it is detached.
   void attach(ArrangementObserver& observer) { observers_.attach(observer, cells_); }
 
-  /// Where surfaces have glued sides, edges keep their own end points.
-  void set_end_points(std::vector<std::pair<Point, Point>> ends) { end_points_ = std::move(ends); }
+  /// Where surfaces have glued sides, edges that end there keep their own end points; sorted by edge.
+  void set_edge_ends(std::vector<EdgeEnds<Point>> ends) { edge_ends_ = std::move(ends); }
 
  private:
   friend class ArrangementEditor<F>;
-  const std::pair<Point, Point>& ends(dcel::EdgeId e) const { return end_points_[e.index()]; }
-
   F family_;
   dcel::Dcel cells_;
   std::vector<Point> points_;
   std::vector<BranchId> branches_;
   CurveHistory history_;
   std::uint32_t curve_count_ = 0;
-  std::vector<std::pair<Point, Point>> end_points_;  // by edge; empty where vertices' points serve
+  std::vector<EdgeEnds<Point>> edge_ends_;
   ObserverList observers_;
 };
 

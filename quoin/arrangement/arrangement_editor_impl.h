@@ -144,10 +144,6 @@ dcel::VertexId ArrangementEditor<F>::split(dcel::EdgeId e, const Point& point) {
   a_.branches_.push_back(branch);
   const auto uses = a_.history_.of(e);
   a_.history_.append(std::vector<CurveUse>(uses.begin(), uses.end()));
-  if (!a_.end_points_.empty()) {
-    a_.end_points_.emplace_back(point, a_.end_points_[e.index()].second);
-    a_.end_points_[e.index()].second = point;
-  }
   return local_.split_edge(e);
 }
 
@@ -241,7 +237,6 @@ dcel::EdgeId ArrangementEditor<F>::merge_edges(dcel::VertexId v) {
   const dcel::EdgeId gone = out.is_forward() ? out.edge() : a_.cells_.clockwise(out).edge();
   const dcel::EdgeId kept = local_.merge_edges(v);
   a_.history_.assign(gone, {});
-  if (!a_.end_points_.empty()) a_.end_points_[kept.index()].second = a_.end_points_[gone.index()].second;
   return kept;
 }
 

@@ -62,7 +62,7 @@ class BuildVisitor : public SweepVisitor<typename F::Point> {
     while (history_.edge_count() < edges) history_.append({});
     Arrangement<F> result(std::move(family), std::move(built.dcel), std::move(points), std::move(branches_),
                           std::move(history_), list_.curve_count);
-    if constexpr (has_glued_sides) result.set_end_points(std::move(ends_));
+    if constexpr (has_glued_sides) result.set_edge_ends(edge_ends(result));
     vertex_of_event_ = std::move(built.vertex_of_event);
     return result;
   }
@@ -70,6 +70,18 @@ class BuildVisitor : public SweepVisitor<typename F::Point> {
   const std::vector<dcel::VertexId>& vertex_of_event() const { return vertex_of_event_; }
 
  private:
+  std::vector<EdgeEnds<Point>> edge_ends(const Arrangement<F>& made) {
+    std::sort(ends_.begin(), ends_.end(), [](const End& a, const End& b) { return a.edge < b.edge; });
+    std::vector<EdgeEnds<Point>> result;
+    for (const End& end : ends_) {
+      const dcel::EdgeId edge(std::size_t{end.edge});
+      if (result.empty() || result.back().edge != edge) {
+        result.push_back({edge, made.point(made.left(edge)), made.point(made.right(edge))});
+      }
+      (end.is_right ? result.back().right : result.back().left) = end.point;
+    }
+    return result;
+  }
   void number_copies() {
     copy_of_point_.resize(list_.points.size(), 0);
     std::uint32_t copies = 0;
@@ -83,8 +95,9 @@ class BuildVisitor : public SweepVisitor<typename F::Point> {
       if (index >= list_.points.size()) event_of_copy_[index - list_.points.size()] = event.vertex;
     }
     if (link.side == Side::right) link.left_copy = event_of_copy_[copy_of_point_[event.known[0]]];
-    for (std::size_t i = 0; i < event.right.size(); ++i) ends_.emplace_back(event.point, event.point);
-    for (const std::uint32_t edge : event.left) ends_[edge].second = event.point;
+    if (link.side == Side::interior) return;
+    for (const std::uint32_t edge : event.right) ends_.push_back({edge, false, event.point});
+    for (const std::uint32_t edge : event.left) ends_.push_back({edge, true, event.point});
   }
 
   const F& family_;
@@ -96,7 +109,12 @@ class BuildVisitor : public SweepVisitor<typename F::Point> {
   std::vector<BranchId> branches_;
   CurveHistory history_;
   std::vector<CurveUse> uses_;
-  std::vector<std::pair<Point, Point>> ends_;
+  struct End {  // of an edge on a side
+    std::uint32_t edge;
+    bool is_right;
+    Point point;
+  };
+  std::vector<End> ends_;
   std::vector<std::uint32_t> copy_of_point_;
   std::vector<std::uint32_t> event_of_copy_;
   std::vector<dcel::VertexId> vertex_of_event_;

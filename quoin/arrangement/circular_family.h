@@ -71,6 +71,8 @@ class CircularFamily {
     return compare_close(p, q);
   }
   Sign compare_y_at_x(const Point& p, BranchId branch) const;
+  /// Order by x only.
+  Sign compare_x(const Point& p, const Point& q) const;
   Sign compare_right(BranchId a, BranchId b, const Point& p) const;
   Sign compare_left(BranchId a, BranchId b, const Point& p) const;
   bool is_vertical(BranchId branch) const { return support_of(branch).vertical; }
@@ -147,7 +149,6 @@ class CircularFamily {
   const CircularSupport& support_of(BranchId branch) const { return pools_.supports[branch.index() / 2]; }
   void raise_magnitude(double value);
   Sign compare_close(const Point& p, const Point& q) const;
-  Sign compare_x(const Point& p, const Point& q) const;
   Sign compare_y(const Point& p, const Point& q) const;
   Sign compare_y_to_centre(const Point& p, std::uint32_t circle) const;
   Sign side_of(const Point& p, std::uint32_t support) const;

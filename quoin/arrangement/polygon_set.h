@@ -14,8 +14,9 @@ namespace quoin {
 enum class SetOperation : std::uint8_t {
   unite,
   intersect,
-  subtract,             ///< all others from the first
-  symmetric_difference  ///< in an odd number of them
+  subtract,              ///< all others from the first
+  symmetric_difference,  ///< in an odd number of them
+  first                  ///< the first as it is
 };
 
 /// Whether sets keep edges and vertices without area.

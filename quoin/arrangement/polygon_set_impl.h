@@ -101,7 +101,7 @@ Arrangement<F> filtered_arrangement(const Arrangement<F>& from, dcel::Filtered& 
     if (from.has_point(v)) points.push_back(from.point(v));
   }
   std::vector<BranchId> branches;
-  std::vector<std::pair<typename F::Point, typename F::Point>> ends;
+  std::vector<EdgeEnds<typename F::Point>> ends;
   CurveHistory history;
   for (std::size_t e = 0; e < filtered.first_source_of_edge.size(); ++e) {
     const EdgeId first = filtered.first_source_of_edge[e];
@@ -109,12 +109,15 @@ Arrangement<F> filtered_arrangement(const Arrangement<F>& from, dcel::Filtered& 
     branches.push_back(is_real ? from.branch(first) : BranchId());
     history.append(is_real ? from.curves(first) : std::span<const CurveUse>());
     if constexpr (F::Surface::sides.left == SideKind::identified) {
-      ends.emplace_back(from.left_point(first), from.right_point(filtered.last_source_of_edge[e]));
+      const EdgeId last = filtered.last_source_of_edge[e];
+      if (from.own_ends(first) != nullptr || from.own_ends(last) != nullptr) {
+        ends.push_back({EdgeId(e), from.left_point(first), from.right_point(last)});
+      }
     }
   }
   Arrangement<F> result(from.family(), std::move(filtered.dcel), std::move(points), std::move(branches),
                         std::move(history), from.curve_count());
-  result.set_end_points(std::move(ends));
+  result.set_edge_ends(std::move(ends));
   return result;
 }
 

@@ -91,6 +91,9 @@ class OutputWriter {
       case Target::Kind::mesh:
         return write_triangles(target);
       case Target::Kind::drawing:
+      case Target::Kind::planar:
+      case Target::Kind::picture:
+      case Target::Kind::planar_page:
         break;
     }
     throw InternalError(target.name + ": solids are not written as drawings");

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "quoin/arrangement/polygon_set.h"
 #include "quoin/cli/options.h"
 #include "quoin/cli/reporting.h"
 #include "quoin/view/arrangement_picture.h"
