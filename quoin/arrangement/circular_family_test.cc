@@ -164,7 +164,7 @@ class Checker {
   }
 
   void check_beside(std::size_t i, const std::vector<BranchId>& through, int side) {
-    const LongReal step = LongReal::power_of_two(-700);
+    const LongReal step = LongReal::power_of_two(-450);
     const LongReal x = side > 0 ? truth_[i].x + step : truth_[i].x - step;
     for (const BranchId a : through) {
       for (const BranchId b : through) {

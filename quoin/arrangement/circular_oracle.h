@@ -9,14 +9,14 @@
 #include "quoin/number/integer.h"
 #include "quoin/number/rational.h"
 
-/// What the predicates of CircularFamily should say, found in another way: coordinates with 8,000 bits behind the
+/// What the predicates of CircularFamily should say, found in another way: coordinates with 5,000 bits behind the
 /// point, solved from the equations of the supports, and orders beside a point by evaluation a little further on.
 namespace quoin::testing {
 
-/// A real number up to a few units of 2^-8000.
+/// A real number up to a few units of 2^-5000.
 class LongReal {
  public:
-  static constexpr std::size_t bits = 8000;
+  static constexpr std::size_t bits = 5000;
 
   LongReal() = default;
   LongReal(const Rational& value) {  // NOLINT(google-explicit-constructor)
@@ -44,8 +44,8 @@ class LongReal {
     mpz_sqrt(a.value_.raw(), a.value_.raw());
     return a;
   }
-  /// Zero if closer to it than 2^-3500: numbers that come from the inputs of tests are zero or far larger.
-  Sign sign() const { return value_.bit_length() < bits - 3500 ? Sign::zero : value_.sign(); }
+  /// Zero if closer to it than 2^-2200: numbers that come from the inputs of tests are zero or far larger.
+  Sign sign() const { return value_.bit_length() < bits - 2200 ? Sign::zero : value_.sign(); }
   double to_double() const { return Rational(value_, Integer(1) << bits).to_double(); }
 
  private:
@@ -133,7 +133,7 @@ class CircularOracle {
     const bool vertical_a = family_.is_vertical(a);
     const bool vertical_b = family_.is_vertical(b);
     if (vertical_a || vertical_b) return static_cast<Sign>(side * (static_cast<int>(vertical_a) - vertical_b));
-    const LongReal step = LongReal::power_of_two(-700);
+    const LongReal step = LongReal::power_of_two(-450);
     const LongReal x = side > 0 ? p.x + step : p.x - step;
     return (y_at(a, x) - y_at(b, x)).sign();
   }
