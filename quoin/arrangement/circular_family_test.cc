@@ -115,7 +115,7 @@ class Checker {
     ASSERT_EQ(count, expected_count) << "crossings of " << one.index() << " and " << two.index();
     if (a.curve == b.curve) return;
     for (int i = 0; i < count; ++i) {
-      if (points_.size() > 60) return;
+      if (points_.size() > 40) return;
       add(found[i]);
     }
   }
@@ -336,6 +336,7 @@ using Generator = void (*)(Scene&, Random&, const Placement&);
 void check_scenes(const std::vector<Generator>& generators, const std::function<Placement(Random&)>& placement,
                   std::uint64_t seed, int count, FamilyCases* cases) {
   Random random(seed);
+  CircularFamily previous;
   for (int i = 0; i < count; ++i) {
     Scene scene;
     scene.log.precision(17);
@@ -344,7 +345,8 @@ void check_scenes(const std::vector<Generator>& generators, const std::function<
     SCOPED_TRACE("scene " + std::to_string(i) + ":\n" + scene.log.str());
     Checker checker(scene);
     checker.check();
-    testing::check_family_laws(scene.family, scene.list, cases);
+    testing::check_family_laws(scene.family, scene.list, cases, &previous);
+    previous = scene.family;
     testing::check_reversed(scene.family, scene.list, scene.backwards);
     if (::testing::Test::HasFailure()) return;
   }

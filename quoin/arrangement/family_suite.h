@@ -44,6 +44,44 @@ class FamilyLaws {
     check_absorb();
   }
 
+  /// A family with other supports takes over this one: answers must not come from what was there before.
+  void check_absorb_into(const F& other) {
+    F joined = other;
+    const typename F::Shift shift = joined.absorb(family_);
+    std::vector<Point> moved;
+    for (const Point& p : list_.points) moved.push_back(F::shifted(p, shift));
+    for (std::size_t i = 0; i < moved.size(); ++i) {
+      for (std::size_t j = 0; j < moved.size(); ++j) {
+        ASSERT_EQ(joined.compare_xy(moved[i], moved[j]), family_.compare_xy(list_.points[i], list_.points[j]));
+      }
+    }
+    for (const Piece& a : list_.pieces) {
+      const BranchId branch = F::shifted(a.branch, shift);
+      for (std::size_t i = 0; i < moved.size(); ++i) {
+        const Point& p = list_.points[i];
+        if (!is_interior(p) || before(p, left(a)) || before(right(a), p)) continue;
+        const Sign expected = family_.compare_y_at_x(p, a.branch);
+        ASSERT_EQ(joined.compare_y_at_x(moved[i], branch), expected) << "after absorb";
+      }
+      for (const Piece& b : list_.pieces) {
+        if (family_.same_branch(a.branch, b.branch)) continue;
+        std::vector<Meeting<Point>> expected;
+        std::vector<Meeting<Point>> found;
+        family_.meetings(a.branch, b.branch, expected);
+        joined.meetings(branch, F::shifted(b.branch, shift), found);
+        ASSERT_EQ(found.size(), expected.size()) << "after absorb";
+        for (std::size_t k = 0; k < found.size(); ++k) {
+          const Point p = F::shifted(expected[k].point, shift);
+          ASSERT_EQ(joined.compare_xy(found[k].point, p), Sign::zero) << "after absorb";
+          ASSERT_EQ(found[k].crosses, expected[k].crosses);
+          if (!is_interior(p) || !is_inside(expected[k].point, a) || !is_inside(expected[k].point, b)) continue;
+          ASSERT_EQ(joined.compare_right(branch, F::shifted(b.branch, shift), p),
+                    family_.compare_right(a.branch, b.branch, expected[k].point));
+        }
+      }
+    }
+  }
+
   const FamilyCases& cases() const { return cases_; }
 
  private:
@@ -278,11 +316,13 @@ class FamilyLaws {
   FamilyCases cases_;
 };
 
-/// Adds what was seen to `cases`, if given.
+/// Adds what was seen to `cases`, if given; `other` is any family with other curves, which absorbs this one.
 template <CurveFamily F>
-void check_family_laws(const F& family, const PieceList<F>& list, FamilyCases* cases = nullptr) {
+void check_family_laws(const F& family, const PieceList<F>& list, FamilyCases* cases = nullptr,
+                       const F* other = nullptr) {
   FamilyLaws<F> laws(family, list);
   laws.check();
+  if (other != nullptr) laws.check_absorb_into(*other);
   if (cases == nullptr) return;
   const FamilyCases& seen = laws.cases();
   cases->vertical += seen.vertical;

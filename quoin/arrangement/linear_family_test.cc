@@ -14,6 +14,7 @@ namespace {
 TEST(LinearFamily, KeepsTheLawsOnTinyGrids) {
   std::mt19937 random(1);
   testing::FamilyCases cases;
+  LinearFamily previous;
   for (int round = 0; round < 400; ++round) {
     LinearFamily family;
     PieceList<LinearFamily> list;
@@ -34,7 +35,8 @@ TEST(LinearFamily, KeepsTheLawsOnTinyGrids) {
       if (kind < 2) family.add_segment(backwards, b, a);
     }
     SCOPED_TRACE("round " + std::to_string(round) + "\n" + log.str());
-    testing::check_family_laws(family, list, &cases);
+    testing::check_family_laws(family, list, &cases, &previous);
+    previous = family;
     if (segments_only) testing::check_reversed(family, list, backwards);
     if (::testing::Test::HasFailure()) return;
   }
