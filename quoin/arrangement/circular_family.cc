@@ -9,6 +9,9 @@ namespace quoin {
 namespace {
 
 constexpr double u = 0x1p-53;
+/// What products may lose below the range of doubles where a query brings tiny coordinates; no product of others is
+/// that small.
+constexpr double underflow = 0x1p-1000;
 
 bool is_exact(const CircularPoint& p) {
   return p.kind == CircularPointKind::doubles;
@@ -83,7 +86,7 @@ Sign CircularFamily::side_of(const Point& p, std::uint32_t support) const {
     const double left = s.dx * y;
     const double right = s.dy * x;
     value = left - right;
-    bound = 8 * u * (std::fabs(left) + std::fabs(right)) + 1.2 * e * (std::fabs(s.dx) + std::fabs(s.dy));
+    bound = 8 * u * (std::fabs(left) + std::fabs(right)) + 1.2 * e * (std::fabs(s.dx) + std::fabs(s.dy)) + underflow;
   } else {
     const double squares = x * x + y * y;
     value = squares - s.squared_radius;
@@ -149,7 +152,7 @@ Sign CircularFamily::turn(const Point& p, std::uint32_t a, std::uint32_t b) cons
     if (loose || !is_exact(p)) bound = 1.2 * error_ * size;
     if (loose) bound += 4 * u * magnitude_ * (std::fabs(x) + std::fabs(y) + 2 * error_);
   }
-  bound += 8 * u * (std::fabs(left) + std::fabs(right));
+  bound += 8 * u * (std::fabs(left) + std::fabs(right)) + underflow;
   const double value = left - right;
   if (value > bound) return Sign::positive;
   if (value < -bound) return Sign::negative;

@@ -119,7 +119,7 @@ class CircularFamily {
   CircularSupportId add_line_support(const RationalPoint2& a, const RationalPoint2& b, std::string_view name = "line");
   Point point(const Point2& p, std::string_view name = "point");
   Point point(const RationalPoint2& p, std::string_view name = "point");
-  /// A point that asks only: it refers to no support and raises no error.
+  /// A point that asks only, any finite one: it refers to no support and does not raise the error.
   static Point query(const Point2& p) {
     Point result;
     result.x = p.x;

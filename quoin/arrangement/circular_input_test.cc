@@ -292,6 +292,27 @@ TEST(CircularFamilyFilters, DecideRandomInput) {
   EXPECT_LT(exact, points.size() / 50);
 }
 
+TEST(CircularFamilyFilters, QueriesMayBeTinyOrHuge) {
+  CircularFamily family;
+  const BranchId line = CircularFamily::line_branch(family.add_line_support(Point2{-1, 0}, Point2{1, 0}));
+  const BranchId slope = CircularFamily::line_branch(family.add_line_support(Point2{-1, -1}, Point2{1, 1}));
+  const CircularSupportId circle = family.add_circle_support(Point2{0, 0}, 1);
+  const double tiny = std::numeric_limits<double>::denorm_min();
+  const auto at = [&](double x, double y, BranchId branch) {
+    return family.compare_y_at_x(CircularFamily::query({x, y}), branch);
+  };
+  EXPECT_EQ(at(0.5, tiny, line), Sign::positive);
+  EXPECT_EQ(at(0.5, -tiny, line), Sign::negative);
+  EXPECT_EQ(at(tiny, 2 * tiny, slope), Sign::positive);
+  EXPECT_EQ(at(tiny, tiny, slope), Sign::zero);
+  EXPECT_EQ(at(3 * tiny, 2 * tiny, slope), Sign::negative);
+  EXPECT_EQ(at(1, tiny, CircularFamily::upper_half(circle)), Sign::positive);
+  EXPECT_EQ(at(1, 0, CircularFamily::upper_half(circle)), Sign::zero);
+  EXPECT_EQ(at(tiny, 1, CircularFamily::upper_half(circle)), Sign::positive);
+  EXPECT_EQ(at(tiny, 1e300, CircularFamily::upper_half(circle)), Sign::positive);
+  EXPECT_EQ(at(0.25, -1e300, CircularFamily::lower_half(circle)), Sign::negative);
+}
+
 TEST(CircularFamilyFilters, CrossingsFarOutsideAreExact) {
   CircularFamily family;
   const CircularSupportId a = family.add_line_support(Point2{0, 0}, Point2{1, 0});

@@ -16,11 +16,13 @@
 /// Operands of one call of the exact tier as integers over a common denominator.
 namespace quoin::circular_exact {
 
-/// Exponent of the lowest set bit of a normal number.
+/// Exponent of the lowest set bit of a number that is finite and not zero.
 inline int lowest_bit(double value) {
   const auto bits = std::bit_cast<std::uint64_t>(value);
-  const std::uint64_t mantissa = (bits & ((std::uint64_t{1} << 52) - 1)) | (std::uint64_t{1} << 52);
-  return static_cast<int>((bits >> 52) & 0x7FF) - 1075 + std::countr_zero(mantissa);
+  const int exponent = static_cast<int>((bits >> 52) & 0x7FF);
+  const std::uint64_t fraction = bits & ((std::uint64_t{1} << 52) - 1);
+  if (exponent == 0) return -1074 + std::countr_zero(fraction);
+  return exponent - 1075 + std::countr_zero(fraction | (std::uint64_t{1} << 52));
 }
 
 /// The grid of a call: a power of two of which all coordinates relative to the first point are multiples.
