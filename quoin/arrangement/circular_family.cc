@@ -38,6 +38,7 @@ Sign CircularFamily::compare_x(const Point& p, const Point& q) const {
   if (difference > 2 * error_) return Sign::positive;
   if (difference < -2 * error_) return Sign::negative;
   if (p.exact_x && q.exact_x) return sign_of(difference);
+  if (p.root == q.root && same_definition(p, q)) return Sign::zero;
   return circular_exact::compare_x(pools_, p, q);
 }
 

@@ -70,6 +70,8 @@ class CircularFamily {
       return difference < 0 ? Sign::negative : Sign::positive;
     return compare_close(p, q);
   }
+  /// Order by x only.
+  Sign compare_x(const Point& p, const Point& q) const;
   Sign compare_y_at_x(const Point& p, BranchId branch) const;
   /// Order by x only.
   Sign compare_x(const Point& p, const Point& q) const;

@@ -141,6 +141,7 @@ class Checker {
       for (std::size_t j = 0; j < points_.size(); ++j) {
         ASSERT_EQ(family_.compare_xy(points_[i], points_[j]), testing::compare_lexicographically(truth_[i], truth_[j]))
             << "points " << i << " and " << j;
+        ASSERT_EQ(family_.compare_x(points_[i], points_[j]), (truth_[i].x - truth_[j].x).sign());
       }
     }
   }
