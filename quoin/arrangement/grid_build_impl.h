@@ -114,18 +114,17 @@ void GridLocator<F>::fill(const Context& context) {
   std::vector<std::pair<Rows, Entry>> listed;
   for (std::size_t k = 0; k < edges.size(); ++k) {
     context.poll();
-    choose_rows(edges[k], k);
+    choose_rows(edges[k], vertices[k], k);
     listed.clear();
     for (const std::uint32_t i : edges[k]) {
       const dcel::EdgeId e(std::size_t{i});
       listed.push_back(
-          {rows_of(e, k),
-           {family.sweep_key(a.left_point(e)), family.sweep_key(a.right_point(e)), a.branch(e), i, false}});
+          {rows_of(e, k), {family.sweep_key(a.left_point(e)), family.sweep_key(a.right_point(e)), a.branch(e), 2 * i}});
     }
     for (const std::uint32_t i : vertices[k]) {
       const Point& p = a.point(dcel::VertexId(std::size_t{i}));
       const double key = family.sweep_key(p);
-      listed.push_back({rows_of_point(family.position(p)), {key, key, BranchId(), i, false}});
+      listed.push_back({rows_of_point(family.position(p)), {key, key, BranchId(), 2 * i}});
     }
     place(listed, k);
     if (entries_.size() > 24 * total + 1000) {
@@ -155,7 +154,7 @@ void GridLocator<F>::place(const std::vector<std::pair<Rows, Entry>>& listed, st
     for (std::uint32_t row = rows.low; row <= rows.high; ++row) {
       Entry& target = entries_[next[row]++];
       target = entry;
-      target.continues = row > rows.low;
+      target.cell_flags += static_cast<std::uint32_t>(row > rows.low);
     }
   }
 }
@@ -179,11 +178,15 @@ double GridLocator<F>::height_in(dcel::EdgeId e, std::size_t column) const {
 }
 
 template <GridFamily F>
-void GridLocator<F>::choose_rows(std::span<const std::uint32_t> edges, std::size_t column) {
+void GridLocator<F>::choose_rows(std::span<const std::uint32_t> edges, std::span<const std::uint32_t> vertices,
+                                 std::size_t column) {
   std::vector<double> heights;
   for (const std::uint32_t i : edges) {
     const double height = height_in(dcel::EdgeId(std::size_t{i}), column);
     if (std::isfinite(height)) heights.push_back(height);
+  }
+  for (const std::uint32_t i : vertices) {
+    heights.push_back(arrangement_->family().position(arrangement_->point(dcel::VertexId(std::size_t{i}))).y);
   }
   std::sort(heights.begin(), heights.end());
   const auto first_bound = static_cast<std::uint32_t>(bounds_.size());

@@ -32,13 +32,14 @@ concept GridFamily = CurveFamily<F> && std::same_as<typename F::Position, Point2
 /// A cell lists the edges that touch it and the face it lies in if there are none. A query looks for the nearest edge
 /// below it in its cell, and in the cells under it until an edge is found that leaves the column no lower. Exact: cells
 /// are only filters, listed with room for the rounding of points. Left and right of all vertices edges do not change
-/// their order: bisection. Cells of more than `heavy` edges are left to a trapezoidal map, which is only built if there
-/// are such cells, so that no query is worse than expected O(log n) plus the rows of a column. O(n log n) to build.
+/// their order: bisection. Cells of more than `heavy` edges, and then also searches of more than `long_walk` cells, are
+/// left to a trapezoidal map, which is only built if there are such cells. O(n log n) to build.
 template <GridFamily F>
 class GridLocator {
  public:
   using Point = typename F::Point;
   static constexpr std::uint32_t heavy = 64;
+  static constexpr std::uint32_t long_walk = 8;
 
   /// @throws Cancelled
   explicit GridLocator(const Arrangement<F>& arrangement, const Context& context = Context())
@@ -61,11 +62,13 @@ class GridLocator {
  private:
   /// An edge in a cell, or an isolated vertex.
   struct Entry {
-    double left;         ///< key of the left end
-    double right;        ///< key of the right end
-    BranchId branch;     ///< none: a vertex
-    std::uint32_t cell;  ///< the edge or the vertex
-    bool continues;      ///< in this column the edge touches the row below too
+    double left;               ///< key of the left end
+    double right;              ///< key of the right end
+    BranchId branch;           ///< none: a vertex
+    std::uint32_t cell_flags;  ///< twice the edge or the vertex; plus one: in this column it touches the row below too
+
+    std::size_t cell() const { return cell_flags / 2; }
+    bool continues() const { return (cell_flags & 1U) != 0; }
   };
   struct Column {
     std::uint32_t first_cell;  ///< the lowest
@@ -89,7 +92,7 @@ class GridLocator {
   void find_columns(std::vector<double> keys, std::size_t edge_count);
   void fill(const Context& context);
   std::size_t column_of(double x) const;
-  void choose_rows(std::span<const std::uint32_t> edges, std::size_t column);
+  void choose_rows(std::span<const std::uint32_t> edges, std::span<const std::uint32_t> vertices, std::size_t column);
   double height_in(dcel::EdgeId e, std::size_t column) const;
   Rows rows_of(dcel::EdgeId e, std::size_t column) const;
   Rows rows_of_point(const Point2& p) const;

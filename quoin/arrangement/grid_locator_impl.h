@@ -52,10 +52,11 @@ Location GridLocator<F>::locate_in_slab(const Point& p, const std::vector<dcel::
 template <GridFamily F>
 Location GridLocator<F>::locate_in_column(const Point& p, const Column& column, std::uint32_t row) const {
   const double key = arrangement_->family().sweep_key(p);
+  std::uint32_t visited = 0;
   Search search{p, key, margin_of(key), dcel::EdgeId(), false};
   for (std::uint32_t cell = column.first_cell + row;; --cell) {
     const std::uint32_t count = begin_[cell + 1] - begin_[cell];
-    if (count > heavy && map_) return map_->locate(p);
+    if (map_ && (count > heavy || ++visited > long_walk)) return map_->locate(p);
     if (count == 0 && search.best.is_none()) return faces_[cell];
     search.continues = false;
     if (const std::optional<Location> found = search_cell(search, cell)) return *found;
@@ -80,11 +81,11 @@ std::optional<Location> GridLocator<F>::search_cell(Search& search, std::uint32_
   for (std::uint32_t i = begin_[cell]; i < begin_[cell + 1]; ++i) {
     const Entry& entry = entries_[i];
     if (entry.branch.is_none()) {
-      const dcel::VertexId v(std::size_t{entry.cell});
+      const dcel::VertexId v(entry.cell());
       if (compare_end(search, entry.left, a.point(v)) == Sign::zero) return v;
       continue;
     }
-    const dcel::EdgeId e(std::size_t{entry.cell});
+    const dcel::EdgeId e(entry.cell());
     const Sign from_left = compare_end(search, entry.left, a.left_point(e));
     if (from_left == Sign::negative) continue;
     const Sign from_right = compare_end(search, entry.right, a.right_point(e));
@@ -96,7 +97,7 @@ std::optional<Location> GridLocator<F>::search_cell(Search& search, std::uint32_
     if (side == Sign::negative) continue;
     if (e == search.best || search.best.is_none() || order_of_edges(a, e, search.best) == Sign::positive) {
       search.best = e;
-      search.continues = entry.continues;
+      search.continues = entry.continues();
     }
   }
   return std::nullopt;
