@@ -12,10 +12,12 @@ namespace quoin {
 static_assert(VerticalFamily<CircularFamily>);
 static_assert(RayShooter<NaiveLocator<CircularFamily>>);
 static_assert(RayShooter<WalkLocator<CircularFamily>>);
+static_assert(PointLocator<GridLocator<CircularFamily>>);
 static_assert(RayShooter<TrapezoidLocator<CircularFamily>>);
 
 template class TrapezoidMapBuilder<CircularFamily>;
 template class TrapezoidLocator<CircularFamily>;
+template class GridLocator<CircularFamily>;
 template std::vector<Location> locate_batch(const CircularArrangement&, std::span<const CircularPoint>, const Context&);
 
 template VerticalDecomposition decompose_vertically(const CircularArrangement&, const DecompositionOptions&,

@@ -214,11 +214,11 @@ template <GridFamily F>
 typename GridLocator<F>::Rows GridLocator<F>::rows_at(double x, BranchId b) const {
   const F& family = arrangement_->family();
   const auto low = std::partition_point(heights_.begin(), heights_.end(), [&](double height) {
-    return family.compare_y_at_x(F::point(Point2{x, detail::finite(height + 2 * margin_of(height))}), b) ==
+    return family.compare_y_at_x(GridTraits<F>::point(Point2{x, detail::finite(height + 2 * margin_of(height))}), b) ==
            Sign::negative;
   });
   const auto high = std::partition_point(low, heights_.end(), [&](double height) {
-    return family.compare_y_at_x(F::point(Point2{x, detail::finite(height - 2 * margin_of(height))}), b) !=
+    return family.compare_y_at_x(GridTraits<F>::point(Point2{x, detail::finite(height - 2 * margin_of(height))}), b) !=
            Sign::positive;
   });
   return {static_cast<std::uint32_t>(low - heights_.begin()), static_cast<std::uint32_t>(high - heights_.begin())};
@@ -249,13 +249,11 @@ typename GridLocator<F>::Rows GridLocator<F>::rows_of(dcel::EdgeId e, std::size_
   const Rows at_right =
       right > to + margin_of(to) && !family.is_vertical(b) ? rows_at(to, b) : rows_of_end(a.right_point(e));
   Rows rows{std::min(at_left.low, at_right.low), std::max(at_left.high, at_right.high)};
-  if constexpr (!has_straight_branches<F>) {
-    const std::optional<Point2> turn = family.turning_point(b);
-    if (turn && turn->x > std::max(from, left) - 4 * margin_of(from) &&
-        turn->x < std::min(to, right) + 4 * margin_of(to)) {
-      const Rows at_turn = rows_of_point(*turn);
-      rows = {std::min(rows.low, at_turn.low), std::max(rows.high, at_turn.high)};
-    }
+  const std::optional<Point2> turn = GridTraits<F>::turning_point(family, b);
+  if (turn && turn->x > std::max(from, left) - 4 * margin_of(from) &&
+      turn->x < std::min(to, right) + 4 * margin_of(to)) {
+    const Rows at_turn = rows_of_point(*turn);
+    rows = {std::min(rows.low, at_turn.low), std::max(rows.high, at_turn.high)};
   }
   return rows;
 }
@@ -270,7 +268,7 @@ void GridLocator<F>::find_faces(std::size_t column) {
     if (begin_[cell + 1] != begin_[cell]) continue;
     const double low = row > 0 ? heights_[row - 1] : row + 1 < c.row_count ? heights_[row] - 1 : 0;
     const double high = row + 1 < c.row_count ? heights_[row] : low + 1;
-    const Point p = F::point(Point2{walls_[column] / 2 + walls_[column + 1] / 2, low / 2 + high / 2});
+    const Point p = GridTraits<F>::point(Point2{walls_[column] / 2 + walls_[column + 1] / 2, low / 2 + high / 2});
     faces_[cell] = row == 0 ? outer_.bottom(*arrangement_, p) : locate_in_column(p, c, row - 1).face();
   }
 }

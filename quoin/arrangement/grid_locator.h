@@ -12,18 +12,18 @@
 
 namespace quoin {
 
-/// Whether every branch is straight. Other families tell where a branch turns between rising and falling.
+/// What a grid asks of a family of the plane besides the concept. To be specialized with two static functions:
+///   - `point(Point2)`: the point of two doubles;
+///   - `turning_point(family, branch)`: the place off the ends where the branch turns between rising and falling, if
+///     there is one; each coordinate within `error()`.
 template <class F>
-inline constexpr bool has_straight_branches = false;
+struct GridTraits;
 
-/// A family of the plane for grids: points can be made of doubles, and branches rise or fall but for one known place.
 template <class F>
 concept GridFamily = CurveFamily<F> && std::same_as<typename F::Position, Point2> &&
     requires(const F& f, BranchId b, const Point2& p) {
-  { F::point(p) } -> std::same_as<typename F::Point>;
-  requires has_straight_branches<F> || requires {
-    { f.turning_point(b) } -> std::same_as<std::optional<Point2>>;
-  };
+  { GridTraits<F>::point(p) } -> std::same_as<typename F::Point>;
+  { GridTraits<F>::turning_point(f, b) } -> std::same_as<std::optional<Point2>>;
 };
 
 /// Point location by a grid fitted to the arrangement: columns with equally many vertices, each cut into rows with

@@ -11,7 +11,10 @@
 namespace quoin {
 
 template <>
-inline constexpr bool has_straight_branches<LinearFamily> = true;
+struct GridTraits<LinearFamily> {
+  static LinearPoint point(const Point2& p) { return LinearFamily::point(p); }
+  static std::optional<Point2> turning_point(const LinearFamily&, BranchId) { return std::nullopt; }
+};
 
 extern template class TrapezoidMapBuilder<LinearFamily>;
 extern template class TrapezoidLocator<LinearFamily>;

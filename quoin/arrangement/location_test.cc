@@ -9,8 +9,10 @@
 #include <string>
 #include <thread>
 
+#include "quoin/arrangement/linear_editing.h"
 #include "quoin/arrangement/linear_location.h"
 #include "quoin/arrangement/location_scenes.h"
+#include "quoin/arrangement/locator_watch.h"
 #include "quoin/arrangement/walk_locator.h"
 
 namespace quoin {
@@ -213,6 +215,44 @@ TEST(PointLocation, SeveralThreadsMayAsk) {
   }
   for (std::thread& thread : threads) thread.join();
   EXPECT_EQ(differences, std::vector<std::size_t>(4, 0));
+}
+
+TEST(PointLocation, WatchedArrangementsMayBeEdited) {
+  LinearArrangement a = random_segments(20, 0.5, 1);
+  TrapezoidLocator<LinearFamily> trapezoids(a);
+  GridLocator<LinearFamily> grid(a);
+  LocatorWatch watch(trapezoids);
+  LocatorWatch grid_watch(grid);
+  a.attach(watch);
+  a.attach(grid_watch);
+  const NaiveLocator<LinearFamily> naive(a);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> unit(0, 1);
+  const auto draw = [&] { return Point2{unit(random), unit(random)}; };
+  for (int round = 0; round < 20; ++round) {
+    LinearFamily family;
+    PieceList<LinearFamily> list;
+    if (round % 5 == 4) {
+      family.add_line(list, draw(), draw(), "line");
+    } else {
+      family.add_segment(list, draw(), draw());
+    }
+    const CurveId curve = insert(a, family, list, Context(), {});
+    if (round % 3 == 2) remove_curve(a, curve, {});
+    EXPECT_TRUE(trapezoids.is_stale());
+    EXPECT_GT(watch.changes(), 0U);
+    if (round % 2 == 0) {
+      watch.refresh(Context());
+      grid_watch.refresh(Context());
+    }
+    for (int i = 0; i < 100; ++i) {
+      const LinearPoint p = LinearFamily::point(draw());
+      const Location expected = naive.locate(p);
+      ASSERT_EQ(name(trapezoids.locate(p)), name(expected)) << "round " << round;
+      ASSERT_EQ(name(grid.locate(p)), name(expected)) << "round " << round;
+      ASSERT_EQ(name(locate_batch(a, std::span<const LinearPoint>(&p, 1), Context())[0]), name(expected));
+    }
+  }
 }
 
 TEST(PointLocation, StaleLocatorsFollowTheArrangement) {
