@@ -25,8 +25,19 @@ class TrapezoidLocator {
   }
 
   Location locate(const Point& p) const;
-  /// See RayShooter.
-  Location shoot(const Point& p, Direction direction) const requires VerticalFamily<F>;
+  /// See RayShooter. A template, so that families without vertical rays can be instantiated.
+  template <class G = F>
+  requires VerticalFamily<G> Location shoot(const Point& p, Direction direction)
+  const {
+    const Arrangement<G>& a = *arrangement_;
+    if (is_stale_) return NaiveLocator<G>(a).shoot(p, direction);
+    const Ahead ahead = look(p, direction);
+    const bool is_straight = !ahead.vertex.is_none() && a.cells().is_real(ahead.vertex) &&
+                             a.family().compare_x(a.point(ahead.vertex), p) == Sign::zero;
+    const dcel::VertexId vertex = is_straight ? ahead.vertex : dcel::VertexId();
+    if (!ahead.edge.is_none() || is_straight) return first_met(a, direction, ahead.edge, vertex);
+    return direction == Direction::up ? outer_.top(a, p) : outer_.bottom(a, p);
+  }
 
   bool is_stale() const { return is_stale_; }
   void mark_stale() { is_stale_ = true; }
@@ -47,6 +58,11 @@ class TrapezoidLocator {
     double key;
     double margin;
   };
+  struct Ahead {
+    dcel::EdgeId edge;      // next on the leaning line
+    dcel::VertexId vertex;  // on the wall that follows
+  };
+  Ahead look(const Point& p, Direction direction) const;
   Query prepare(const Point& p) const;
   Sign compare(const Query& query, const SearchNode& node) const;
   std::uint32_t descend(const Query& query, Direction direction) const;

@@ -98,20 +98,12 @@ std::uint32_t TrapezoidLocator<F>::descend(const Query& query, Direction directi
 }
 
 template <CurveFamily F>
-Location TrapezoidLocator<F>::shoot(const Point& p, Direction direction) const requires VerticalFamily<F> {
-  const Arrangement<F>& a = *arrangement_;
-  if (is_stale_) return NaiveLocator<F>(a).shoot(p, direction);
+typename TrapezoidLocator<F>::Ahead TrapezoidLocator<F>::look(const Point& p, Direction direction) const {
   const Trapezoid& trapezoid = map_.trapezoids[descend(prepare(p), direction)];
   const bool up = direction == Direction::up;
-  const dcel::EdgeId edge = edge_id(up ? trapezoid.top : trapezoid.bottom);
   const std::uint32_t wall = up ? trapezoid.right : trapezoid.left;
-  dcel::VertexId vertex;
-  if (wall != Trapezoid::none && a.cells().is_real(edges_.vertices[wall]) &&
-      a.family().compare_x(edges_.points[wall], p) == Sign::zero) {
-    vertex = edges_.vertices[wall];
-  }
-  if (!edge.is_none() || !vertex.is_none()) return first_met(a, direction, edge, vertex);
-  return up ? outer_.top(a, p) : outer_.bottom(a, p);
+  return {edge_id(up ? trapezoid.top : trapezoid.bottom),
+          wall == Trapezoid::none ? dcel::VertexId() : edges_.vertices[wall]};
 }
 
 template <CurveFamily F>
