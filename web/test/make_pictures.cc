@@ -95,9 +95,9 @@ PlanarPicture many() {
   PieceList<LinearFamily> list;
   std::mt19937 random(6);
   const auto pick = [&] { return static_cast<double>(random() % 100000); };
-  for (int i = 0; i < 1200; ++i) {
+  for (int i = 0; i < 900; ++i) {
     const Point2 a{pick(), pick()};
-    family.add_segment(list, a, Point2{a.x + pick() / 8 - 6000, a.y + pick() / 8 - 6001});
+    family.add_segment(list, a, Point2{a.x + pick() / 3 - 16000, a.y + pick() / 3 - 16001});
   }
   return picture_of(arrange(std::move(family), list, Context()), {.title = "Many cells", .number_faces = true});
 }

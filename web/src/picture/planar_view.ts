@@ -57,6 +57,7 @@ export class PlanarView implements CellsView {
 
   cellAt(x: number, y: number): Cell | undefined {
     // Points before edges before faces: what is thin is meant when the pointer comes near.
+    if (!this.element.contains(document.elementFromPoint(x, y))) return undefined; // a card or a tool is over it
     const found: Partial<Record<CellKind, Cell>> = {};
     for (const reach of reachOfPointer) {
       for (let i = 0; i < (reach === 0 ? 1 : 8); ++i) {
@@ -75,7 +76,7 @@ export class PlanarView implements CellsView {
     for (const [cell, look] of [[picked, "picked"], [hovered, "hovered"]] as const) {
       if (!cell) continue;
       const copy = this.elements[cell.kind][cell.index].cloneNode() as SVGElement;
-      copy.setAttribute("class", `${cell.kind} ${look}`);
+      copy.setAttribute("class", `${cell.kind} ${look}${cell.color < 0 ? " blank" : ""}`);
       for (const property of ["fill", "stroke", "fill-opacity", "stroke-opacity"]) copy.style.removeProperty(property);
       (cell.kind === "face" ? this.litFaces : this.litRest).append(copy);
     }

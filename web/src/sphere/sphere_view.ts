@@ -35,6 +35,7 @@ export class SphereView implements CellsView {
   private areLabelsShown = true;
   private isGlass = false;
   private isScheduled = false;
+  private lastFrame = 0;
 
   constructor(
     header: SphereHeader,
@@ -229,7 +230,9 @@ export class SphereView implements CellsView {
     this.isScheduled = true;
     requestAnimationFrame(() => {
       this.isScheduled = false;
-      this.controls.update();
+      const now = performance.now();
+      this.controls.update(Math.min(0.5, (now - this.lastFrame) / 1000));
+      this.lastFrame = now;
       this.draw();
       if (this.controls.autoRotate) this.invalidate();
     });
@@ -254,7 +257,7 @@ export class SphereView implements CellsView {
       if (!cell.label || !to) return;
       const p = new THREE.Vector3(to[0], to[1], to[2]);
       // On the near side, and not where it is seen very slantwise.
-      if (p.dot(this.camera.position) < 1 + 0.12 * this.camera.position.length()) return;
+      if (p.dot(this.camera.position) < 1 + 0.22 * p.distanceTo(this.camera.position)) return;
       p.project(this.camera);
       seen.push({ text: cell.label, x: ((p.x + 1) / 2) * innerWidth, y: ((1 - p.y) / 2) * innerHeight, room });
     };
