@@ -54,11 +54,9 @@ PlanarPicture picture_of_cells(const dcel::Dcel& cells, const CurveHistory& hist
 /// least used one that no neighbour of smaller number has.
 std::vector<std::uint32_t> colors_by_neighbours(const dcel::Dcel& cells);
 
-/// The picture of an arrangement in the plane: every real face, edge and vertex, with what is known of it.
-///
-/// Positions are rounded to the family's error. Unbounded faces and edges go as far as the picture does. O(size).
+/// Where the cells of an arrangement in the plane are, and what of it is shown. O(size).
 template <CurveFamily F>
-PlanarPicture picture_of(const Arrangement<F>& arrangement, const ArrangementPictureOptions& options = {}) {
+CellPlaces places_of(const Arrangement<F>& arrangement, const ArrangementPictureOptions& options) {
   using Traits = PictureTraits<F>;
   const dcel::Dcel& cells = arrangement.cells();
   const F& family = arrangement.family();
@@ -87,7 +85,15 @@ PlanarPicture picture_of(const Arrangement<F>& arrangement, const ArrangementPic
     places.edges[i] = Traits::piece(family, arrangement.branch(e), arrangement.left_point(e),
                                     arrangement.right_point(e), places.reach);
   }
-  return picture_of_cells(cells, arrangement.history(), places, options);
+  return places;
+}
+
+/// The picture of an arrangement in the plane: every real face, edge and vertex, with what is known of it.
+///
+/// Positions are rounded to the family's error. Unbounded faces and edges go as far as the picture does. O(size).
+template <CurveFamily F>
+PlanarPicture picture_of(const Arrangement<F>& arrangement, const ArrangementPictureOptions& options = {}) {
+  return picture_of_cells(arrangement.cells(), arrangement.history(), places_of(arrangement, options), options);
 }
 
 }  // namespace quoin

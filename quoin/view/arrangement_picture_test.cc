@@ -6,7 +6,11 @@
 #include <random>
 #include <sstream>
 
+#include "quoin/arrangement/circular_arrangement.h"
 #include "quoin/arrangement/linear_arrangement.h"
+#include "quoin/arrangement/linear_location.h"
+#include "quoin/view/circular_picture.h"
+#include "quoin/view/decomposition_picture.h"
 #include "quoin/view/face_pole.h"
 #include "quoin/view/picture_svg.h"
 
@@ -49,19 +53,56 @@ LinearArrangement arrangement(Generator& random, int round) {
   return arrange(std::move(family), list, Context());
 }
 
+void expect_tiles(const PlanarPicture& picture, Generator& random, int round) {
+  ASSERT_NO_THROW(check_picture(picture)) << round;
+  const PictureBox box = shown_box(picture);
+  for (int sample = 0; sample < 20; ++sample) {
+    const auto part = [&] { return static_cast<double>(random() % 1000003) / 1000003; };
+    const Point2 p{box.low.x + part() * box.width(), box.low.y + part() * box.height()};
+    int containing = 0;
+    for (const PictureFace& face : picture.faces) containing += is_inside(face, p) ? 1 : 0;
+    ASSERT_EQ(containing, 1) << "round " << round << " at " << p.x << ", " << p.y;
+  }
+}
+
 TEST(ArrangementPicture, FacesTileWhatIsShown) {
   Generator random(11);
   for (int round = 0; round < 600; ++round) {
     const LinearArrangement lines = arrangement(random, round);
     const PlanarPicture picture = picture_of(lines);
-    ASSERT_NO_THROW(check_picture(picture)) << round;
-    const PictureBox box = shown_box(picture);
-    for (int sample = 0; sample < 20; ++sample) {
-      const auto part = [&] { return static_cast<double>(random() % 1000003) / 1000003; };
-      const Point2 p{box.low.x + part() * box.width(), box.low.y + part() * box.height()};
-      int containing = 0;
-      for (const PictureFace& face : picture.faces) containing += is_inside(face, p) ? 1 : 0;
-      ASSERT_EQ(containing, 1) << "round " << round << " at " << p.x << ", " << p.y;
+    expect_tiles(picture, random, round);
+  }
+}
+
+TEST(ArrangementPicture, FacesOfCirclesTileThePlane) {
+  Generator random(14);
+  for (int round = 0; round < 150; ++round) {
+    CircularFamily family;
+    PieceList<CircularFamily> list;
+    const auto pick = [&] { return static_cast<double>(random() % 6); };
+    for (int i = 0; i < round % 7; ++i) {
+      const Point2 a{pick(), pick()};
+      const Point2 b{pick(), pick()};
+      if (i % 3 < 2)
+        family.add_circle(list, a, 1 + pick());
+      else if (a != b)
+        family.add_segment(list, a, b);
+    }
+    const CircularArrangement circles = arrange(std::move(family), list, Context());
+    const PlanarPicture picture = picture_of(circles);
+    ASSERT_EQ(picture.faces.size(), circles.counts().faces);
+    expect_tiles(picture, random, round);
+  }
+}
+
+TEST(ArrangementPicture, CellsOfADecompositionTileThePlane) {
+  Generator random(15);
+  for (int round = 0; round < 300; ++round) {
+    const LinearArrangement lines = arrangement(random, round);
+    for (const bool walls_at_crossings : {true, false}) {
+      const VerticalDecomposition decomposition = decompose_vertically(lines, {walls_at_crossings}, Context());
+      const PlanarPicture picture = picture_of(lines, decomposition);
+      expect_tiles(picture, random, round);
     }
   }
 }

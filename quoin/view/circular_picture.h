@@ -6,6 +6,7 @@
 
 namespace quoin {
 
+/// Arcs of circles as arcs, segments straight.
 template <>
 struct PictureTraits<CircularFamily> {
   static PicturePath piece(const CircularFamily& family, BranchId branch, const CircularPoint& left,

@@ -21,8 +21,7 @@ namespace quoin {
 ///
 /// some point of a branch near which it was given: what to look at where there are no vertices.
 ///
-/// For circles, with branches that are upper and lower halves: arc_to(right, center, upper ? -angle : angle), where the
-/// angle is that between the two radii.
+/// circular_picture.h is one with arcs.
 template <class F>
 struct PictureTraits;
 
