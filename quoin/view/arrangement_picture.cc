@@ -131,12 +131,13 @@ void choose_boxes(CellPlaces& places, const std::optional<PictureBox>& box) {
   if (xs.size() < few_vertices) std::ranges::for_each(places.anchors, add);
   if (box && !box->is_empty()) {
     places.view = *box;
-    all.add(box->low);
-    all.add(box->high);
   } else if (places.has_unbounded_edges && !xs.empty()) {
     const auto [left, right] = bulk(xs);
     const auto [bottom, top] = bulk(ys);
     places.view = PictureBox{{left, bottom}, {right, top}}.enlarged(0.2);
+  }
+  for (const Point2& p : {places.view.low, places.view.high}) {
+    if (!places.view.is_empty()) all.add(p);
   }
   places.reach = all.enlarged(4);
 }

@@ -74,7 +74,7 @@ CellPlaces places_of(const Arrangement<F>& arrangement, const ArrangementPicture
       const dcel::EdgeId e(i);
       if (!cells.is_real(e) || !(is_infinite(arrangement.left(e)) || is_infinite(arrangement.right(e)))) continue;
       places.has_unbounded_edges = true;
-      places.anchors.push_back(Traits::anchor(family, arrangement.branch(e)));
+      for (const Point2& p : Traits::anchors(family, arrangement.branch(e))) places.anchors.push_back(p);
     }
   }
   choose_boxes(places, options.box);

@@ -29,7 +29,15 @@ class DecompositionPicture {
 
  private:
   double x_of(dcel::VertexId v, double otherwise) const {
-    return has_wall(v) ? places_.vertices[v.index()]->x : otherwise;
+    if (v.is_none()) return otherwise;
+    if (has_wall(v)) return places_.vertices[v.index()]->x;
+    // The end of a vertical line at infinity.
+    HalfedgeId h = cells_[v].out;
+    while (!cells_.is_real(h.edge())) {
+      h = cells_.clockwise(h);
+      if (h == cells_[v].out) return otherwise;
+    }
+    return places_.edges[h.edge().index()].start.x;
   }
   double left(const PseudoTrapezoid& t) const { return x_of(t.left, places_.reach.low.x); }
   double right(const PseudoTrapezoid& t) const { return x_of(t.right, places_.reach.high.x); }
@@ -53,7 +61,13 @@ class DecompositionPicture {
       if (h.is_forward() != is_forward || !cells_.is_real(h.edge())) break;
       append(path, places_.edges[h.edge().index()]);
     }
-    return between_x(path, left(t), right(t));
+    // A line that leaves the top or the bottom of what is drawn goes on along it.
+    PicturePath part = between_x(path, left(t), right(t));
+    if (part.end().x < right(t)) part.steps.push_back(line_to({right(t), part.end().y}));
+    if (part.start.x <= left(t)) return part;
+    PicturePath whole{{left(t), part.start.y}, {}};
+    append(whole, part);
+    return whole;
   }
 
   const Dcel& cells_;

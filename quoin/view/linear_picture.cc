@@ -42,8 +42,8 @@ PicturePath PictureTraits<LinearFamily>::piece(const LinearFamily& family, Branc
   return {start, {line_to(end)}};
 }
 
-Point2 PictureTraits<LinearFamily>::anchor(const LinearFamily& family, BranchId line) {
-  return rounded(family.first_support_point(line));
+std::array<Point2, 2> PictureTraits<LinearFamily>::anchors(const LinearFamily& family, BranchId line) {
+  return {rounded(family.first_support_point(line)), rounded(family.second_support_point(line))};
 }
 
 }  // namespace quoin

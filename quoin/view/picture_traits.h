@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "quoin/arrangement/linear_family.h"
@@ -17,9 +18,9 @@ namespace quoin {
 /// centre and sweep (`arc_to`), or chords. An end at infinity is put where the branch leaves `reach`, which holds every
 /// vertex; families of bounded curves need not look at it. Where curves can be unbounded, also
 ///
-///   static Point2 anchor(const F&, BranchId);
+///   static std::array<Point2, 2> anchors(const F&, BranchId);
 ///
-/// some point of a branch near which it was given: what to look at where there are no vertices.
+/// two points of a branch near which it was given: what to look at where there are few vertices.
 ///
 /// circular_picture.h is one with arcs.
 template <class F>
@@ -29,7 +30,7 @@ template <>
 struct PictureTraits<LinearFamily> {
   static PicturePath piece(const LinearFamily& family, BranchId line, const LinearPoint& left, const LinearPoint& right,
                            const PictureBox& reach);
-  static Point2 anchor(const LinearFamily& family, BranchId line);
+  static std::array<Point2, 2> anchors(const LinearFamily& family, BranchId line);
 };
 
 }  // namespace quoin
