@@ -95,7 +95,7 @@ PlanarPicture many() {
   PieceList<LinearFamily> list;
   std::mt19937 random(6);
   const auto pick = [&] { return static_cast<double>(random() % 100000); };
-  for (int i = 0; i < 900; ++i) {
+  for (int i = 0; i < 500; ++i) {
     const Point2 a{pick(), pick()};
     family.add_segment(list, a, Point2{a.x + pick() / 3 - 16000, a.y + pick() / 3 - 16001});
   }

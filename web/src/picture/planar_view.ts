@@ -31,6 +31,7 @@ export class PlanarView implements CellsView {
   private readonly view: PanAndZoom;
   private areLabelsShown = true;
   private isScheduled = false;
+  private lastScale = 0;
 
   constructor(
     private readonly header: PictureHeader,
@@ -65,6 +66,7 @@ export class PlanarView implements CellsView {
         const under = document.elementFromPoint(x + reach * Math.cos(angle), y + reach * Math.sin(angle));
         const cell = under ? this.cellOf.get(under) : undefined;
         if (cell && (cell.kind !== "face" || reach === 0)) found[cell.kind] ??= cell;
+        if (found.point) return found.point;
       }
     }
     return found.point ?? found.edge ?? found.face;
@@ -135,8 +137,11 @@ export class PlanarView implements CellsView {
     this.moved.setAttribute("transform", `translate(${x} ${y}) scale(${scale})`);
     // Lines and points keep their width on the screen, but for pictures that are very small or large.
     const weight = clamp(scale, 0.6, 2.2);
-    this.drawing.style.setProperty("--line", `${this.header.strokes[0] * weight}px`);
-    this.drawing.style.setProperty("--dot", `${weight / scale}`);
+    if (scale !== this.lastScale) {
+      this.drawing.style.setProperty("--line", `${this.header.strokes[0] * weight}px`);
+      this.drawing.style.setProperty("--dot", `${weight / scale}`);
+      this.lastScale = scale;
+    }
     this.labels.draw(this.areLabelsShown ? this.anchors() : []);
   }
 
