@@ -113,10 +113,17 @@ class Placement {
  private:
   void place_in_face(const LabelAnchor& anchor, double width) {
     const double size = std::min(face_font, anchor.room / std::hypot(width / 2, 0.5));
-    const PictureBox box = box_around(anchor.at, size * width / 2, size / 2);
-    if (size < smallest_font || !occupied_.is_free(box)) return;
-    occupied_.take(box);
-    placed_.push_back({anchor, anchor.at, size});
+    if (size < smallest_font) return;
+    // In the middle, or where there still is room above or below something in the way.
+    for (const double shift : {0.0, 0.5, -0.5}) {
+      const Point2 at{anchor.at.x, anchor.at.y + shift * anchor.room};
+      const double reach = std::hypot(size * width / 2, shift * anchor.room + std::copysign(size / 2, shift));
+      const PictureBox box = box_around(at, size * width / 2, size / 2);
+      if (reach > 1.001 * anchor.room || !occupied_.is_free(box)) continue;
+      occupied_.take(box);
+      placed_.push_back({anchor, at, size});
+      return;
+    }
   }
 
   static std::vector<Point2> ways(const LabelAnchor& anchor) {
@@ -144,14 +151,14 @@ std::vector<LabelAnchor> label_anchors(const PlanarPicture& picture, const Pictu
   const PictureFrame frame = whole.without_surroundings();
   const PictureBox& sheet = frame.region();
   std::vector<LabelAnchor> anchors;
-  for (std::size_t i = 0; i < picture.points.size(); ++i) {
-    const Point2 at = frame.map(picture.points[i].at);
-    if (!picture.points[i].text.label.empty() && sheet.contains(at)) anchors.push_back({CellKind::point, i, at, 0, {}});
-  }
   for (std::size_t i = 0; i < picture.faces.size(); ++i) {
     if (picture.faces[i].text.label.empty()) continue;
     const LabelAnchor anchor = face_anchor(picture.faces[i], i, frame, sheet);
     if (anchor.room > 0) anchors.push_back(anchor);
+  }
+  for (std::size_t i = 0; i < picture.points.size(); ++i) {
+    const Point2 at = frame.map(picture.points[i].at);
+    if (!picture.points[i].text.label.empty() && sheet.contains(at)) anchors.push_back({CellKind::point, i, at, 0, {}});
   }
   for (std::size_t i = 0; i < picture.edges.size(); ++i) {
     if (picture.edges[i].text.label.empty()) continue;
