@@ -73,8 +73,6 @@ class CircularFamily {
   /// Order by x only.
   Sign compare_x(const Point& p, const Point& q) const;
   Sign compare_y_at_x(const Point& p, BranchId branch) const;
-  /// Order by x only.
-  Sign compare_x(const Point& p, const Point& q) const;
   Sign compare_right(BranchId a, BranchId b, const Point& p) const;
   Sign compare_left(BranchId a, BranchId b, const Point& p) const;
   bool is_vertical(BranchId branch) const { return support_of(branch).vertical; }
