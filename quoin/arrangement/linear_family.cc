@@ -278,7 +278,7 @@ bool LinearFamily::same_branch(BranchId a, BranchId b) const {
 }
 
 Sign LinearFamily::exact_compare(const Point& p, const Point& q, bool by_y) const {
-  if (p.is_crossing() && q.is_crossing() && p.first == q.first && p.second == q.second) return Sign::zero;
+  if (!p.is_explicit() && p.first == q.first && p.second == q.second) return Sign::zero;
   const auto formula = [&](const auto& read, const auto&...) {
     return detail::compare_coordinate(read.point(p), read.point(q), by_y);
   };
@@ -369,7 +369,7 @@ bool LinearFamily::promote(Point& p) const {
 LinearPoint LinearFamily::crossing(BranchId a, BranchId b) const {
   const Line& s = lines_[a.index()];
   const Line& t = lines_[b.index()];
-  if (is_rounded_ && (is_rational(a) || is_rational(b))) return exact_crossing(a, b);
+  const bool is_given = !is_rational(a) && !is_rational(b);
   constexpr double u4 = 0x1.04p-51;
   const double dx = s.bx - s.ax;
   const double dy = s.by - s.ay;
@@ -384,12 +384,16 @@ LinearPoint LinearFamily::crossing(BranchId a, BranchId b) const {
   const double denominator = d1 - d2;
   const double parameter = (n1 - n2) / denominator;
   LinearPoint p{s.ax + parameter * dx, s.ay + parameter * dy, std::min(a.value, b.value), std::max(a.value, b.value)};
-  const double size = u4 * (std::fabs(d1) + std::fabs(d2));
+  const double h = is_given ? 0 : 0x1.08p-52 * size_;
+  const double reach = h * (std::fabs(dx) + std::fabs(dy) + std::fabs(ex) + std::fabs(ey) + 2 * h);
+  const double size = u4 * (std::fabs(d1) + std::fabs(d2)) + reach;
+  const double offset = u4 * (std::fabs(n1) + std::fabs(n2)) + reach + h * (std::fabs(wx) + std::fabs(wy));
   const double room = std::fabs(denominator) - size;
-  const double doubt =
-      (u4 * (std::fabs(n1) + std::fabs(n2)) + std::fabs(parameter) * size) / room + 0x1.8p-51 * std::fabs(parameter);
+  const double doubt = (offset + std::fabs(parameter) * size) / room + 0x1.8p-51 * std::fabs(parameter);
   const double widest = std::max(std::fabs(dx), std::fabs(dy));
-  if (!(room > 0x1p-960) || !(doubt * widest <= 0.5 * error_)) return exact_crossing(a, b);
+  const double error = doubt * (widest + h) + h * (1 + std::fabs(parameter));
+  if (!(room > 0x1p-960) || !(error <= 0.5 * error_)) return exact_crossing(a, b);
+  if (!is_given) return p;
   if (s.ax == s.bx) p.x = s.ax;
   if (t.ax == t.bx) p.x = t.ax;
   if (s.ay == s.by) p.y = s.ay;
