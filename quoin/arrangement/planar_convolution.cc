@@ -18,7 +18,6 @@ struct Operand {
     std::uint32_t end;
     bool is_hole;
     Extent extent;
-    bool is_kept = false;                // for some component of the other operand
     std::vector<std::uint32_t> by_rank;  // edges
     std::uint32_t next(std::uint32_t i) const { return i + 1 == end ? begin : i + 1; }
     std::uint32_t previous(std::uint32_t i) const { return i == begin ? end - 1 : i - 1; }
@@ -35,7 +34,7 @@ struct Operand {
       for (const PlanarRing& ring : component.rings) {
         const auto begin = static_cast<std::uint32_t>(points.size());
         points.insert(points.end(), ring.points.begin(), ring.points.end());
-        rings.push_back({begin, static_cast<std::uint32_t>(points.size()), ring.is_hole, extent_of(ring), false, {}});
+        rings.push_back({begin, static_cast<std::uint32_t>(points.size()), ring.is_hole, extent_of(ring), {}});
       }
     }
     first_ring.push_back(static_cast<std::uint32_t>(rings.size()));
@@ -104,10 +103,8 @@ class Convolver {
     const Extent& extent_of_b = b_.rings[b_.first_ring[j]].extent;
     for (std::uint32_t r = a_.first_ring[i]; r < a_.first_ring[i + 1]; ++r) {
       if (a_.rings[r].is_hole && !extent_of_b.fits_into(a_.rings[r].extent)) continue;
-      a_.rings[r].is_kept = true;
       for (std::uint32_t s = b_.first_ring[j]; s < b_.first_ring[j + 1]; ++s) {
         if (b_.rings[s].is_hole && !extent_of_a.fits_into(b_.rings[s].extent)) continue;
-        b_.rings[s].is_kept = true;
         add_rings(r, s);
       }
     }
@@ -154,14 +151,32 @@ class Convolver {
   std::unordered_map<std::uint64_t, std::uint32_t> number_of_;  // of corners
 };
 
-/// Moves the points out and notes the holes.
-void take(Operand& operand, std::vector<PlanarPoint>& points, std::vector<bool>& is_hole, std::uint32_t& filled) {
+Convolution::Rings taken(Operand& operand) {
+  Convolution::Rings result;
   for (const Operand::Ring& ring : operand.rings) {
-    is_hole.push_back(ring.is_hole);
-    if (!ring.is_kept) ++filled;
+    result.is_hole.push_back(ring.is_hole);
+    for (std::uint32_t i = ring.begin; i < ring.end; ++i) {
+      result.next.push_back(ring.next(i));
+      result.previous.push_back(ring.previous(i));
+    }
   }
-  points = std::move(operand.points);
+  result.points = std::move(operand.points);
+  return result;
 }
+
+/// Directions from `start` counterclockwise to `end`.
+struct Cone {
+  Direction start;
+  Direction end;
+
+  /// Or it is the start.
+  bool contains(const Direction& d) const {
+    const bool after_start = Direction::compare(d, start) != Sign::negative;
+    const bool before_end = Direction::compare(d, end) == Sign::negative;
+    if (Direction::compare(start, end) == Sign::negative) return after_start && before_end;
+    return after_start || before_end;
+  }
+};
 
 }  // namespace
 
@@ -178,9 +193,17 @@ Convolution convolve(const LinearPolygonSet& a, const LinearPolygonSet& b, const
       convolver.add_components(i, j);
     }
   }
-  take(operand_a, result.points_of_a, result.is_hole_of_a, result.filled_holes);
-  take(operand_b, result.points_of_b, result.is_hole_of_b, result.filled_holes);
+  result.a = taken(operand_a);
+  result.b = taken(operand_b);
   return result;
+}
+
+bool Convolution::meet_at(const Corner& corner) const {
+  const PlanarPoint& p = a.points[corner.p];
+  const PlanarPoint& q = b.points[corner.q];
+  const Cone of_a{{p, a.points[a.next[corner.p]]}, {p, a.points[a.previous[corner.p]]}};
+  const Cone of_b{{b.points[b.next[corner.q]], q}, {b.points[b.previous[corner.q]], q}};  // reflected
+  return of_a.contains(of_b.start) || of_b.contains(of_a.start);
 }
 
 }  // namespace quoin::planar

@@ -34,13 +34,21 @@ struct Convolution {
     std::int8_t sign;   ///< negative where the vertex is reflex
   };
 
-  std::vector<PlanarPoint> points_of_a;
-  std::vector<PlanarPoint> points_of_b;
-  std::vector<bool> is_hole_of_a;  ///< by ring
-  std::vector<bool> is_hole_of_b;
+  /// The rings of an operand over a common list of points.
+  struct Rings {
+    std::vector<PlanarPoint> points;
+    std::vector<std::uint32_t> next;  ///< by point
+    std::vector<std::uint32_t> previous;
+    std::vector<bool> is_hole;  ///< by ring
+  };
+
+  Rings a;
+  Rings b;
   std::vector<Corner> corners;
   std::vector<Edge> edges;
-  std::uint32_t filled_holes = 0;  ///< which no component of the other operand can enter
+
+  /// Whether the open sets meet close to the vertices p of A and q of t - B when these are at one place.
+  bool meet_at(const Corner& corner) const;
 };
 
 /// O(n log n + k) for n vertices and k edges of the result. Directions that are equal count as if B were turned

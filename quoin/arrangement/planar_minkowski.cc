@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <numeric>
+#include <span>
 
 #include "quoin/arrangement/build_visitor.h"
 #include "quoin/arrangement/face_walk.h"
@@ -42,7 +44,7 @@ Drawing draw(const planar::Convolution& convolution, const Context& context) {
   PieceList<LinearFamily> list;
   std::vector<planar::PlanarPoint> points;
   for (const auto& [p, q] : convolution.corners) {
-    points.push_back(sum(convolution.points_of_a[p], convolution.points_of_b[q]));
+    points.push_back(sum(convolution.a.points[p], convolution.b.points[q]));
     list.add_point(add_point(family, points.back()));
   }
   for (const planar::Convolution::Edge& edge : convolution.edges) {
@@ -88,8 +90,8 @@ LinearPolygonSet closed_sum(const Drawing& drawing) {
 void count_holes(const planar::Convolution& convolution, const Drawing& drawing, PlanarMinkowskiSum& out) {
   const dcel::Dcel& cells = drawing.cells();
   std::vector<bool> is_inherited(cells.faces.size(), false);
-  std::array<std::vector<bool>, 2> bounds_hole{std::vector<bool>(convolution.is_hole_of_a.size(), false),
-                                               std::vector<bool>(convolution.is_hole_of_b.size(), false)};
+  std::array<std::vector<bool>, 2> bounds_hole{std::vector<bool>(convolution.a.is_hole.size(), false),
+                                               std::vector<bool>(convolution.b.is_hole.size(), false)};
   for (std::size_t e = 0; e < cells.edges.size(); ++e) {
     HalfedgeId h(EdgeId(e), false);
     if (!cells.is_real(EdgeId(e)) || drawing.is_inside(h) == drawing.is_inside(h.twin())) continue;
@@ -97,8 +99,8 @@ void count_holes(const planar::Convolution& convolution, const Drawing& drawing,
     if (cells[cells.face(h)].is_unbounded) continue;
     for (const CurveUse use : drawing.arrangement.curves(EdgeId(e))) {
       const planar::Convolution::Edge& edge = convolution.edges[use.curve().index()];
-      const bool of_a = convolution.is_hole_of_a[edge.ring_of_a];
-      const bool of_b = convolution.is_hole_of_b[edge.ring_of_b];
+      const bool of_a = convolution.a.is_hole[edge.ring_of_a];
+      const bool of_b = convolution.b.is_hole[edge.ring_of_b];
       if (of_a) bounds_hole[0][edge.ring_of_a] = true;
       if (of_b) bounds_hole[1][edge.ring_of_b] = true;
       if (of_a || of_b) is_inherited[cells.face(h).index()] = true;
@@ -110,10 +112,10 @@ void count_holes(const planar::Convolution& convolution, const Drawing& drawing,
     if (!is_inherited[f]) ++out.new_holes;
   }
   for (std::size_t r = 0; r < bounds_hole[0].size(); ++r) {
-    if (convolution.is_hole_of_a[r] && !bounds_hole[0][r]) ++out.vanished_holes;
+    if (convolution.a.is_hole[r] && !bounds_hole[0][r]) ++out.vanished_holes;
   }
   for (std::size_t r = 0; r < bounds_hole[1].size(); ++r) {
-    if (convolution.is_hole_of_b[r] && !bounds_hole[1][r]) ++out.vanished_holes;
+    if (convolution.b.is_hole[r] && !bounds_hole[1][r]) ++out.vanished_holes;
   }
 }
 
@@ -126,7 +128,7 @@ class TightPassages {
 
   void run(PlanarMinkowskiSum& out) {
     find_edges();
-    count_corners();
+    list_corners();
     for (std::size_t v = 0; v < cells_.vertices.size(); ++v) {
       if (!cells_.is_real(VertexId(v)) || !drawing_.is_all_inside(VertexId(v))) continue;
       (is_tight(VertexId(v)) ? tight_vertices_ : open_vertices_)[v] = true;
@@ -161,13 +163,20 @@ class TightPassages {
       (parts_on(EdgeId(e)) > 0 ? open_edges_ : tight_edges_)[e] = true;
     }
   }
-  void count_corners() {
-    corners_at_.assign(cells_.vertices.size(), 0);
-    for (const VertexId v : drawing_.vertex_of_corner) ++corners_at_[v.index()];
+  void list_corners() {
+    first_corner_.assign(cells_.vertices.size() + 1, 0);
+    for (const VertexId v : drawing_.vertex_of_corner) ++first_corner_[v.index() + 1];
+    std::partial_sum(first_corner_.begin(), first_corner_.end(), first_corner_.begin());
+    std::vector<std::uint32_t> next = first_corner_;
+    corners_.resize(drawing_.vertex_of_corner.size());
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+      corners_[next[drawing_.vertex_of_corner[i].index()]++] = static_cast<std::uint32_t>(i);
+    }
   }
   /// Of a vertex with the sum all around. What is not in the open sum is closed there. Otherwise, if nothing ends at
   /// the vertex, it lies right next to all curves as on an edge. If something does, every part in which the sets meet
-  /// nearby starts at a contact, so that there are no more parts than corners and curves passing through.
+  /// nearby starts at a contact, so that there are no more parts than curves that leave, and the cones at no corner
+  /// meet. What passes all that is asked exactly.
   bool is_tight(VertexId v) {
     const HalfedgeId first = cells_[v].out;
     std::int64_t fewest = std::numeric_limits<std::int64_t>::max();
@@ -180,8 +189,14 @@ class TightPassages {
       out = cells_.clockwise(out);
     } while (out != first);
     if (cells_.degree(v) < 3) return false;
-    if (corners_at_[v.index()] == 0) return parts_between_passing_curves(v) <= 0;
-    return fewest <= leaving && is_kept_apart(v);
+    const std::span<const std::uint32_t> corners(corners_.data() + first_corner_[v.index()],
+                                                 corners_.data() + first_corner_[v.index() + 1]);
+    if (corners.empty()) return parts_between_passing_curves(v) <= 0;
+    if (fewest > leaving) return false;
+    for (const std::uint32_t corner : corners) {
+      if (convolution_.meet_at(convolution_.corners[corner])) return false;
+    }
+    return is_kept_apart(v);
   }
   /// As many as in one face next to the vertex, less those of the curves that have it on their left: going around
   /// counterclockwise from it, these are met first where they arrive.
@@ -219,7 +234,8 @@ class TightPassages {
   std::vector<bool> open_edges_;
   std::vector<bool> tight_vertices_;
   std::vector<bool> open_vertices_;
-  std::vector<std::uint32_t> corners_at_;  // by vertex
+  std::vector<std::uint32_t> first_corner_;  // by vertex, and the number of all
+  std::vector<std::uint32_t> corners_;
 };
 
 }  // namespace

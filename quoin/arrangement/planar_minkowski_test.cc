@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <sstream>
 
@@ -333,6 +334,22 @@ TEST(PlanarMinkowski, PegOfTheHolesSizeLeavesAPoint) {
   EXPECT_EQ(fitted.holes, 0U);
 }
 
+TEST(PlanarMinkowski, PegsThatAreOneUnitOff) {
+  const LinearPolygonSet plate = set_of({box(0, 0, 10, 10), box(3, 4, 2, 3)});
+  const double over = std::nextafter(2.0, 3.0);
+  const double under = std::nextafter(2.0, 1.0);
+  const PlanarMinkowskiSum wide = add(plate, set_of({box(-1, -1, over, 3)}));
+  EXPECT_EQ(wide.holes, 0U);
+  EXPECT_TRUE(wide.tight.is_empty());
+  const PlanarMinkowskiSum narrow = add(plate, set_of({box(-1, -1, under, 3)}));
+  EXPECT_EQ(narrow.slits, 1U);
+  EXPECT_EQ(narrow.isolated_points, 0U);
+  const PlanarMinkowskiSum loose = add(plate, set_of({box(-1, -1, under, std::nextafter(3.0, 0.0))}));
+  EXPECT_EQ(loose.holes, 1U);
+  EXPECT_TRUE(loose.tight.is_empty());
+  EXPECT_TRUE(are_equal(loose.sum, slow_sum(plate, set_of({box(-1, -1, under, std::nextafter(3.0, 0.0))}))));
+}
+
 TEST(PlanarMinkowski, CombsThatInterlock) {
   // Teeth of width 1 at a distance of 1: the teeth go into the gaps exactly; thinner teeth leave boxes.
   const auto comb = [](int teeth, double width) {
@@ -360,6 +377,36 @@ TEST(PlanarMinkowski, NewHolesOfOpenRings) {
   EXPECT_EQ(passing.holes, 1U);
   EXPECT_EQ(passing.slits, 1U);
   EXPECT_EQ(add(room, set_of({box(0, 0, 1, 1)})).holes, 0U);
+}
+
+TEST(PlanarMotion, MovesWhatReachesInfinity) {
+  LinearFamily family;
+  PieceList<LinearFamily> list;
+  family.add_line(list, Point2{0, 0}, Point2{3, 1}, "line");
+  family.add_line(list, Point2{1, 0}, Point2{1, 5}, "line");
+  family.add_ray(list, Point2{4, -2}, Point2{4, -3}, "ray");
+  family.add_segment(list, Point2{-2, 3}, Point2{-1, 3}, "segment");
+  family.add_point(list, Point2{-3, 4}, "point");
+  const LinearArrangement drawn = arrange(std::move(family), list, Context());
+  std::mt19937 random(4);
+  const RationalPoint2 there{Rational(Integer(1), Integer(3)), Rational(7)};
+  const RationalPoint2 back{Rational(Integer(-1), Integer(3)), Rational(-7)};
+  for (int round = 0; round < 50; ++round) {
+    const auto bits = [&](std::size_t size) {
+      std::vector<bool> result(size);
+      for (std::size_t i = 0; i < size; ++i) result[i] = random() % 2 == 1;
+      return result;
+    };
+    const LinearPolygonSet set(drawn, bits(drawn.vertex_count()), bits(drawn.edge_count()), bits(drawn.face_count()));
+    const LinearPolygonSet moved = translated(set, there, Context());
+    dcel::check_links(moved.arrangement().cells());
+    EXPECT_TRUE(are_equal(translated(moved, back, Context()), set)) << "round " << round;
+    const LinearPolygonSet turned = reflected(set, there, Context());
+    dcel::check_links(turned.arrangement().cells());
+    EXPECT_TRUE(are_equal(reflected(turned, there, Context()), set)) << "round " << round;
+    EXPECT_TRUE(are_equal(translated(reflected(set, Context()), there, Context()), turned)) << "round " << round;
+    EXPECT_EQ(turned.arrangement().counts().unbounded_faces, set.arrangement().counts().unbounded_faces);
+  }
 }
 
 TEST(PlanarMinkowski, EmptyAndUnboundedOperands) {
