@@ -1,60 +1,60 @@
 // SPDX-License-Identifier: Apache-2.0
-// Times one operation on arrangements, over a file written by make_arrangement_inputs, and prints a line of JSON.
+// Times one operation on arrangements over files of make_arrangement_inputs and prints a line of JSON; what a peer does
+// with the same files is in peers/.
 //
-//   arrangement_bench arrange FILE [--rounds N] [--threads N]
-#include <algorithm>
-#include <chrono>
+//   arrangement_bench [--rounds N] [--threads N] arrange FILE... | overlay A B | union FILE
+//                     | locate ric|landmarks FILE QUERIES | minkowski A B
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
-#include <fstream>
-#include <iostream>
+#include <exception>
 #include <string>
 #include <vector>
 
-#include "bench/peak_memory.h"
-#include "quoin/arrangement/linear_arrangement.h"
+#include "arrangement_tasks.h"
 
 namespace {
 
-using quoin::LinearFamily;
-
-struct Input {
-  std::string kind;
-  std::vector<double> numbers;
-};
-
-Input read_input(const char* path) {
-  std::ifstream file(path);
-  Input input;
-  std::size_t count = 0;
-  file >> input.kind >> count;
-  for (double number; file >> number;) input.numbers.push_back(number);
-  return input;
+bench::Task read_task(int argc, char** argv) {
+  bench::Task task;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word == "--rounds" && i + 1 < argc) {
+      task.rounds = std::atoi(argv[++i]);
+    } else if (word == "--threads" && i + 1 < argc) {
+      task.threads = static_cast<unsigned>(std::atoi(argv[++i]));
+    } else if (task.mode.empty()) {
+      task.mode = word;
+    } else if (task.mode == "locate" && task.strategy.empty()) {
+      task.strategy = word;
+    } else {
+      task.files.push_back(word);
+    }
+  }
+  return task;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  int rounds = 1;
-  for (int i = 3; i + 1 < argc; ++i) {
-    if (std::strcmp(argv[i], "--rounds") == 0) rounds = std::atoi(argv[i + 1]);
-  }
-  const Input input = read_input(argv[2]);
-  double best = 1e300;
-  quoin::dcel::Counts counts;
-  for (int round = 0; round < rounds; ++round) {
-    LinearFamily family;
-    quoin::PieceList<LinearFamily> list;
-    for (std::size_t i = 0; i + 4 <= input.numbers.size(); i += 4) {
-      const double* n = input.numbers.data() + i;
-      family.add_segment(list, quoin::Point2{n[0], n[1]}, quoin::Point2{n[2], n[3]});
+  try {
+    const bench::Task task = read_task(argc, argv);
+    if (task.mode == "arrange") {
+      bench::arrange(task);
+    } else if (task.mode == "overlay") {
+      bench::overlay(task);
+    } else if (task.mode == "union") {
+      bench::unite(task);
+    } else if (task.mode == "locate") {
+      bench::locate(task);
+    } else if (task.mode == "minkowski") {
+      bench::minkowski(task);
+    } else {
+      std::fprintf(stderr, "which operation?\n");
+      return 2;
     }
-    const auto begin = std::chrono::steady_clock::now();
-    const quoin::LinearArrangement result = arrange(std::move(family), list, quoin::Context());
-    best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
-    counts = result.counts();
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
   }
-  std::printf("{\"seconds\": %.6f, \"vertices\": %zu, \"edges\": %zu, \"faces\": %zu}\n", best, counts.vertices,
-              counts.edges, counts.faces);
+  return 0;
 }
