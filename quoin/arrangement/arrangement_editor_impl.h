@@ -254,7 +254,9 @@ void ArrangementEditor<F>::remove_edge(dcel::EdgeId e, const dcel::RemoveEdgeOpt
 template <CurveFamily F>
 void ArrangementEditor<F>::set_curves(dcel::EdgeId e, std::span<const CurveUse> curves) {
   check_edge(e);
+  a_.observers_.tell(&ArrangementObserver::before_change_curves, e);
   a_.history_.assign(e, curves);
+  a_.observers_.tell(&ArrangementObserver::after_change_curves, e);
 }
 
 template <CurveFamily F>
@@ -263,7 +265,7 @@ void ArrangementEditor<F>::add_curve(dcel::EdgeId e, CurveUse use) {
   const auto old = a_.curves(e);
   std::vector<CurveUse> uses(old.begin(), old.end());
   uses.insert(std::upper_bound(uses.begin(), uses.end(), use), use);
-  a_.history_.assign(e, uses);
+  set_curves(e, uses);
 }
 
 template <CurveFamily F>

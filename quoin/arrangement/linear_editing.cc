@@ -3,6 +3,7 @@
 
 #include "quoin/arrangement/cell_geometry_impl.h"
 #include "quoin/arrangement/insert_impl.h"
+#include "quoin/arrangement/sweep_queries_impl.h"
 
 namespace quoin {
 
@@ -19,5 +20,11 @@ template CurveId insert(LinearArrangement&, const LinearFamily&, const PieceList
 template CurveId insert_many(LinearArrangement&, const LinearFamily&, const PieceList<LinearFamily>&, const Context&);
 template CellMap renumber(LinearArrangement&, const Context&);
 template void remove_curve(LinearArrangement&, CurveId, const RemoveCurveOptions&);
+template bool crosses_anything(const LinearFamily&, const PieceList<LinearFamily>&, const Context&);
+template std::vector<Intersection<LinearPoint>> report_intersections(const LinearFamily&,
+                                                                     const PieceList<LinearFamily>&, const Context&,
+                                                                     const IntersectionOptions&);
+template std::vector<SubCurve<LinearPoint>> sub_curves(const LinearFamily&, const PieceList<LinearFamily>&,
+                                                       const Context&);
 
 }  // namespace quoin

@@ -4,6 +4,7 @@
 #include "quoin/arrangement/arrangement_editor.h"
 #include "quoin/arrangement/insert.h"
 #include "quoin/arrangement/linear_arrangement.h"
+#include "quoin/arrangement/sweep_queries.h"
 #include "quoin/arrangement/zone.h"
 
 /// Editing of arrangements of segments, rays and lines.
@@ -24,5 +25,11 @@ extern template CurveId insert_many(LinearArrangement&, const LinearFamily&, con
                                     const Context&);
 extern template CellMap renumber(LinearArrangement&, const Context&);
 extern template void remove_curve(LinearArrangement&, CurveId, const RemoveCurveOptions&);
+extern template bool crosses_anything(const LinearFamily&, const PieceList<LinearFamily>&, const Context&);
+extern template std::vector<Intersection<LinearPoint>> report_intersections(const LinearFamily&,
+                                                                            const PieceList<LinearFamily>&,
+                                                                            const Context&, const IntersectionOptions&);
+extern template std::vector<SubCurve<LinearPoint>> sub_curves(const LinearFamily&, const PieceList<LinearFamily>&,
+                                                              const Context&);
 
 }  // namespace quoin

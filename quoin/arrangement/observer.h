@@ -55,6 +55,10 @@ class ArrangementObserver {
   /// The merged edge is the left one; the right one and the vertex are dead.
   virtual void after_merge_edges(dcel::EdgeId /*left*/, dcel::VertexId, dcel::EdgeId /*right*/) {}
 
+  virtual void before_change_curves(dcel::EdgeId) {}
+  /// Other curves run along the edge now.
+  virtual void after_change_curves(dcel::EdgeId) {}
+
   virtual void before_split_face(dcel::FaceId) {}
   virtual void after_split_face(dcel::FaceId /*old*/, dcel::FaceId /*created*/) {}
   virtual void before_merge_faces(dcel::FaceId /*kept*/, dcel::FaceId /*gone*/) {}
