@@ -35,7 +35,8 @@ std::map<Place, std::vector<std::uint32_t>> slow_intersections(const std::vector
       const double det = dx * ey - dy * ex;
       if (det == 0) continue;
       const Rational t = Rational((d.a.x - c.a.x) * ey - (d.a.y - c.a.y) * ex) / Rational(det);
-      places.insert({Rational(c.a.x) + t * Rational(dx), Rational(c.a.y) + t * Rational(dy)});
+      const Place p{Rational(c.a.x) + t * Rational(dx), Rational(c.a.y) + t * Rational(dy)};
+      if (contains(c, p) && contains(d, p)) places.insert(p);
     }
   }
   std::map<Place, std::vector<std::uint32_t>> result;
