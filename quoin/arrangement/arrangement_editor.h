@@ -68,11 +68,6 @@ class ArrangementEditor {
   void set_curves(dcel::EdgeId e, std::span<const CurveUse> curves);
   void add_curve(dcel::EdgeId e, CurveUse use);
 
-  /// All of it, for arrangements under construction.
-  void set_history(CurveHistory&& history, std::uint32_t curve_count) {
-    a_.history_ = std::move(history);
-    a_.curve_count_ = curve_count;
-  }
   /// Another arrangement takes the place of this one; observers are told once, with what became of the cells.
   void replace(Arrangement<F>&& other, const CellMap& map);
 

@@ -209,7 +209,7 @@ dcel::EdgeId ArrangementEditor<F>::insert_between(const NewEdge& edge, dcel::Ver
 template <CurveFamily F>
 dcel::VertexId ArrangementEditor<F>::split_edge(dcel::EdgeId e, const Point& point) {
   check_edge(e);
-  if (!geometry_.spans(e, point) || a_.family_.compare_y_at_x(point, a_.branch(e)) != Sign::zero) {
+  if (!spans(a_, e, point) || a_.family_.compare_y_at_x(point, a_.branch(e)) != Sign::zero) {
     throw InputError("edge " + std::to_string(e.value) + " cannot be split at a point that is not inside it");
   }
   return split(e, point);

@@ -63,11 +63,8 @@ class BuildVisitor : public SweepVisitor<typename F::Point> {
     Arrangement<F> result(std::move(family), std::move(built.dcel), std::move(points), std::move(branches_),
                           std::move(history_), list_.curve_count);
     if constexpr (has_glued_sides) result.set_edge_ends(edge_ends(result));
-    vertex_of_event_ = std::move(built.vertex_of_event);
     return result;
   }
-  /// After finish().
-  const std::vector<dcel::VertexId>& vertex_of_event() const { return vertex_of_event_; }
 
  private:
   std::vector<EdgeEnds<Point>> edge_ends(const Arrangement<F>& made) {
@@ -117,7 +114,6 @@ class BuildVisitor : public SweepVisitor<typename F::Point> {
   std::vector<End> ends_;
   std::vector<std::uint32_t> copy_of_point_;
   std::vector<std::uint32_t> event_of_copy_;
-  std::vector<dcel::VertexId> vertex_of_event_;
 };
 
 }  // namespace quoin

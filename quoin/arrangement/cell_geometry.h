@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "quoin/arrangement/arrangement.h"
+#include "quoin/arrangement/edge_order.h"
 #include "quoin/arrangement/local_edits.h"
 
 namespace quoin {
@@ -15,8 +15,7 @@ struct RingSearch {
 /// Exact answers about cells that no links tell: which way a cycle turns, what lies inside it, places in rings, and
 /// what lies just below a point. Works for the open parts of every surface; cycles in the plane only.
 ///
-/// Throughout, an edge spans the points that come between its ends in lexicographic order, as if the plane were
-/// sheared a little: verticals then need no rules of their own.
+/// What is below a point is meant as in edge_order.h: verticals need no rules of their own.
 template <CurveFamily F>
 class CellGeometry : public dcel::CycleGeometry {
  public:
@@ -31,15 +30,6 @@ class CellGeometry : public dcel::CycleGeometry {
   /// Places for a branch through the vertex, to the right or to the left of it. O(degree).
   RingSearch place_right(dcel::VertexId v, BranchId branch) const;
   RingSearch place_left(dcel::VertexId v, BranchId branch) const;
-
-  /// Strictly between its ends.
-  bool spans(dcel::EdgeId e, const Point& p) const {
-    return is_before(arrangement_.left_point(e), p) && is_before(p, arrangement_.right_point(e));
-  }
-  /// Of two edges that span a common point: is the first one below?
-  bool is_below(dcel::EdgeId a, dcel::EdgeId b) const;
-  /// Face around a point that lies on no edge or vertex. O(edges). In the plane.
-  dcel::FaceId face_around(const Point& p) const;
 
   bool is_corner(dcel::VertexId v) const {
     return cells().vertices[v.index()].state == dcel::CellState::fictitious && !arrangement_.has_point(v);

@@ -43,7 +43,7 @@ bool CellGeometry<F>::contains(dcel::HalfedgeId on_cycle, dcel::VertexId v) cons
     const dcel::EdgeId e = h.edge();
     if (!cells().is_real(e)) {
       if (bottom_edge_spans(h, p)) is_inside = !is_inside;
-    } else if (spans(e, p) && family().compare_y_at_x(p, arrangement_.branch(e)) == Sign::positive) {
+    } else if (spans(arrangement_, e, p) && family().compare_y_at_x(p, arrangement_.branch(e)) == Sign::positive) {
       is_inside = !is_inside;
     }
     h = cells().next(h);
@@ -115,43 +115,6 @@ RingSearch CellGeometry<F>::place_left(dcel::VertexId v, BranchId branch) const 
   } while (h != start);
   if (above.is_none()) above = highest_right.is_none() ? lowest : highest_right;
   return {after(v, above), {}};
-}
-
-/// The one that starts later is compared where it starts.
-template <CurveFamily F>
-bool CellGeometry<F>::is_below(dcel::EdgeId a, dcel::EdgeId b) const {
-  const Point& start_a = arrangement_.left_point(a);
-  const Point& start_b = arrangement_.left_point(b);
-  const BranchId branch_a = arrangement_.branch(a);
-  const BranchId branch_b = arrangement_.branch(b);
-  if (arrangement_.left(a) == arrangement_.left(b)) {
-    return family().compare_right(branch_a, branch_b, start_a) == Sign::negative;
-  }
-  if (is_before(start_a, start_b)) return family().compare_y_at_x(start_b, branch_a) == Sign::positive;
-  return family().compare_y_at_x(start_a, branch_b) == Sign::negative;
-}
-
-template <CurveFamily F>
-dcel::FaceId CellGeometry<F>::face_around(const Point& p) const {
-  dcel::EdgeId below;
-  for (std::size_t i = 0; i < cells().edges.size(); ++i) {
-    const dcel::EdgeId e(i);
-    if (!cells().is_real(e) || !spans(e, p)) continue;
-    if (family().compare_y_at_x(p, arrangement_.branch(e)) != Sign::positive) continue;
-    if (below.is_none() || is_below(below, e)) below = e;
-  }
-  if (!below.is_none()) return cells().face(dcel::HalfedgeId(below, false));
-  const dcel::VertexId corner = first_corner();
-  if (!corner.is_none()) {
-    dcel::HalfedgeId h = cells()[corner].out;
-    while (cells().is_real(h.edge()) || !h.is_forward()) h = cells().clockwise(h);
-    while (!bottom_edge_spans(h, p)) h = next_on_frame(h);
-    return cells().face(h);
-  }
-  for (std::size_t i = 0; i < cells().faces.size(); ++i) {
-    if (cells().is_real(dcel::FaceId(i)) && cells().faces[i].is_unbounded) return dcel::FaceId(i);
-  }
-  throw InputError("the surface has no face to start from");
 }
 
 template <CurveFamily F>

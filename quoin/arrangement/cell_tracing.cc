@@ -7,18 +7,6 @@ namespace quoin::dcel {
 
 namespace {
 
-/// What an arrangement without curves, or without curves at infinity, has around everything.
-FaceId face_around_all(const Dcel& dcel) {
-  FaceId lone;
-  for (std::size_t i = 0; i < dcel.faces.size(); ++i) {
-    const Face& face = dcel.faces[i];
-    if (face.state != CellState::real) continue;
-    if (face.first_boundary.is_none()) return FaceId(i);
-    if (face.is_unbounded && lone.is_none()) lone = FaceId(i);
-  }
-  return lone;
-}
-
 void take_from_old_edges(const Dcel& before, const Dcel& after, CellMap& map, std::vector<FaceId>& known) {
   for (std::size_t i = 0; i < after.halfedges.size(); ++i) {
     const HalfedgeId h(i);
@@ -37,11 +25,9 @@ void trace_faces(const Dcel& before, const Dcel& after, CellMap& map) {
   map.new_face.assign(before.faces.size(), FaceId());
   std::vector<FaceId> known;
   take_from_old_edges(before, after, map, known);
-  const FaceId around = face_around_all(before);
-  for (std::size_t i = 0; i < after.faces.size(); ++i) {
-    if (!map.old_face[i].is_none() || !after.is_real(FaceId(i)) || known.size() > 0) continue;
-    map.old_face[i] = around;
-    known.push_back(FaceId(i));
+  if (map.old_face[after.base_face.index()].is_none()) {
+    map.old_face[after.base_face.index()] = before.base_face;
+    known.push_back(after.base_face);
   }
   while (!known.empty()) {
     const FaceId face = known.back();

@@ -7,7 +7,7 @@
 namespace quoin::dcel {
 
 /// Completes a map whose edges are known by its faces, where `after` refines `before`: faces of halfedges that lie on
-/// old halfedges are known, and across new edges the old face is the same. Linear.
+/// old halfedges are known, the base face is the old one, and across new edges the old face is the same. Linear.
 void trace_faces(const Dcel& before, const Dcel& after, CellMap& map);
 
 }  // namespace quoin::dcel

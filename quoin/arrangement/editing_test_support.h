@@ -78,21 +78,35 @@ inline CurveId insert_one(LinearArrangement& arrangement, const GridCurve& c) {
   return insert(arrangement, family, list, Context());
 }
 
-inline std::string place(const LinearArrangement& arrangement, dcel::VertexId v) {
-  if (!arrangement.has_point(v)) return "corner";
-  const LinearPoint& p = arrangement.point(v);
-  if (p.is_end()) return "end on side " + std::to_string(static_cast<int>(arrangement.family().side(p)));
-  const RationalPoint2 exact = arrangement.family().exact(p);
-  return std::to_string(exact.x.to_double()) + " " + std::to_string(exact.y.to_double());
-}
+/// Compares points of two arrangements in a family that has the supports of both.
+template <CurveFamily F>
+class PlaceComparison {
+ public:
+  PlaceComparison(const Arrangement<F>& a, const Arrangement<F>& b) : a_(a), b_(b), family_(a.family()) {
+    shift_ = family_.absorb(b.family());
+  }
+  bool same(dcel::VertexId v) const {
+    if (!a_.has_point(v) || !b_.has_point(v)) return a_.has_point(v) == b_.has_point(v);
+    return family_.compare_xy(a_.point(v), F::shifted(b_.point(v), shift_)) == Sign::zero;
+  }
+  bool same(dcel::EdgeId e) const { return family_.same_branch(a_.branch(e), F::shifted(b_.branch(e), shift_)); }
+
+ private:
+  const Arrangement<F>& a_;
+  const Arrangement<F>& b_;
+  F family_;
+  typename F::Shift shift_;
+};
 
 /// Empty if the two are the same, cell by cell; `curve_of` translates curves of the first to those of the second.
-inline std::string difference(const LinearArrangement& a, const LinearArrangement& b,
-                              const std::vector<std::uint32_t>& curve_of) {
+template <CurveFamily F>
+std::string difference(const Arrangement<F>& a, const Arrangement<F>& b, const std::vector<std::uint32_t>& curve_of) {
+  const PlaceComparison<F> places(a, b);
   const dcel::Dcel& x = a.cells();
   const dcel::Dcel& y = b.cells();
   if (x.vertices.size() != y.vertices.size()) return "numbers of vertices";
   if (x.edges != y.edges) return "edges";
+  if (x.base_face != y.base_face) return "base face";
   if (x.faces.size() != y.faces.size()) return "numbers of faces";
   if (x.boundaries.size() != y.boundaries.size()) return "numbers of boundaries";
   for (std::size_t i = 0; i < x.halfedges.size(); ++i) {
@@ -106,7 +120,7 @@ inline std::string difference(const LinearArrangement& a, const LinearArrangemen
     const dcel::Vertex& v = x.vertices[i];
     const dcel::Vertex& w = y.vertices[i];
     if (v.out != w.out || v.face != w.face || v.next_isolated != w.next_isolated || v.state != w.state ||
-        place(a, dcel::VertexId(i)) != place(b, dcel::VertexId(i))) {
+        !places.same(dcel::VertexId(i))) {
       return "vertex " + std::to_string(i);
     }
   }
@@ -126,6 +140,7 @@ inline std::string difference(const LinearArrangement& a, const LinearArrangemen
     }
   }
   for (std::size_t i = 0; i < x.edges.size(); ++i) {
+    if (a.cells().is_real(dcel::EdgeId(i)) && !places.same(dcel::EdgeId(i))) return "branch of " + std::to_string(i);
     std::vector<CurveUse> uses;
     for (const CurveUse use : a.curves(dcel::EdgeId(i))) {
       uses.emplace_back(CurveId(std::size_t{curve_of[use.curve().index()]}), use.is_reversed());
@@ -139,8 +154,9 @@ inline std::string difference(const LinearArrangement& a, const LinearArrangemen
 }
 
 /// Boundaries are inner or outer as a fresh construction says, before renumbering too.
-inline std::string check_outer(const LinearArrangement& arrangement) {
-  const CellGeometry<LinearFamily> geometry(arrangement);
+template <CurveFamily F>
+std::string check_outer(const Arrangement<F>& arrangement) {
+  const CellGeometry<F> geometry(arrangement);
   for (std::size_t i = 0; i < arrangement.cells().boundaries.size(); ++i) {
     const dcel::Boundary& boundary = arrangement.cells().boundaries[i];
     if (!boundary.halfedge.is_none() && geometry.is_outer(boundary.halfedge) != boundary.is_outer) {

@@ -25,11 +25,8 @@ VertexId LocalEditor::frame_corner() const {
 
 void LocalEditor::add_frame() {
   if (has_frame()) throw InputError("the plane has a frame already");
-  FaceId inside;
-  for (std::size_t i = 0; i < dcel_.faces.size(); ++i) {
-    if (dcel_.faces[i].state == CellState::real && dcel_.faces[i].is_unbounded) inside = FaceId(i);
-  }
-  if (inside.is_none()) throw InputError("a surface without an unbounded face has no frame");
+  const FaceId inside = dcel_.base_face;
+  if (!dcel_[inside].is_unbounded) throw InputError("a surface without an unbounded face has no frame");
   observers_.tell(&Observer::before_change_frame);
   const std::size_t corner = dcel_.vertices.size();
   std::array<HalfedgeId, 4> sides;

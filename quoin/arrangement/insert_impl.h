@@ -18,7 +18,7 @@ class ZoneInserter : public ZoneVisitor<typename F::Point> {
   ZoneInserter(ArrangementEditor<F>& editor, BranchId branch, CurveUse use)
       : editor_(editor), branch_(branch), use_(use) {}
 
-  std::optional<ZoneCell> at_step(const Step& step) override {
+  std::optional<Location> at_step(const Step& step) override {
     const dcel::VertexId left = vertex_at(step.at_left, step.left);
     if (!step.overlapped.is_none()) return run_along(left, step);
     const dcel::VertexId right = vertex_at(step.at_right, step.right);
@@ -36,14 +36,12 @@ class ZoneInserter : public ZoneVisitor<typename F::Point> {
 
  private:
   /// None in a face.
-  dcel::VertexId vertex_at(const ZoneCell& cell, const typename F::Point& p) {
-    if (const auto* v = std::get_if<dcel::VertexId>(&cell)) return *v;
-    if (const auto* e = std::get_if<dcel::EdgeId>(&cell)) return editor_.split_edge(*e, p);
-    return {};
+  dcel::VertexId vertex_at(const Location& cell, const typename F::Point& p) {
+    return cell.is_edge() ? editor_.split_edge(cell.edge(), p) : cell.vertex();
   }
-  std::optional<ZoneCell> run_along(dcel::VertexId left, const Step& step) {
+  std::optional<Location> run_along(dcel::VertexId left, const Step& step) {
     const dcel::EdgeId edge = editor_.geometry().place_right(left, branch_).overlapped;
-    if (std::holds_alternative<dcel::EdgeId>(step.at_right)) editor_.split_edge(edge, step.right);
+    if (step.at_right.is_edge()) editor_.split_edge(edge, step.right);
     editor_.add_curve(edge, use_);
     return editor_.arrangement().right(edge);
   }
@@ -56,9 +54,9 @@ class ZoneInserter : public ZoneVisitor<typename F::Point> {
 template <CurveFamily F>
 void insert_point(ArrangementEditor<F>& editor, const typename F::Point& point,
                   const ZoneLocator<typename F::Point>& locate) {
-  const ZoneCell cell = locate ? locate(point) : locate_naively(editor.arrangement(), point);
-  if (const auto* e = std::get_if<dcel::EdgeId>(&cell)) editor.split_edge(*e, point);
-  if (const auto* f = std::get_if<dcel::FaceId>(&cell)) editor.insert_vertex(point, *f);
+  const Location cell = locate ? locate(point) : NaiveLocator<F>(editor.arrangement()).locate(point);
+  if (cell.is_edge()) editor.split_edge(cell.edge(), point);
+  if (cell.is_face()) editor.insert_vertex(point, cell.face());
 }
 
 template <CurveFamily F>
@@ -68,7 +66,7 @@ CurveId insert(Arrangement<F>& arrangement, const F& family, const PieceList<F>&
     return insert_many(arrangement, family, list, context);
   }
   ArrangementEditor<F> editor(arrangement);
-  const auto shift = editor.family().absorb(family);
+  const auto shift = editor.family().absorb(&family == &editor.family() ? F(family) : family);
   const CurveId first = editor.add_curves(list.curve_count);
   for (const Piece& piece : list.pieces) {
     context.poll();

@@ -28,6 +28,35 @@ TEST(Insert, CurveByCurveEqualsTheSweep) {
   }
 }
 
+/// Several pieces a curve, which may run along itself.
+TEST(Insert, Polylines) {
+  std::mt19937 random(13);
+  for (int round = 0; round < 300; ++round) {
+    LinearFamily all;
+    PieceList<LinearFamily> all_pieces;
+    LinearArrangement arrangement;
+    const unsigned size = 3 + static_cast<unsigned>(round) % 4;
+    const int count = 1 + round % 4;
+    for (int i = 0; i < count; ++i) {
+      std::vector<Point2> vertices;
+      while (vertices.size() < 5) {
+        const Point2 p{static_cast<double>(random() % size), static_cast<double>(random() % size)};
+        if (vertices.empty() || (vertices.back() != p && (vertices.size() < 4 || vertices[0] != p)))
+          vertices.push_back(p);
+      }
+      LinearFamily family;
+      PieceList<LinearFamily> list;
+      family.add_polyline(list, vertices, round % 2 == 0);
+      all.add_polyline(all_pieces, vertices, round % 2 == 0);
+      insert(arrangement, family, list, Context());
+      ASSERT_NO_THROW(dcel::check_links(arrangement.cells())) << round;
+    }
+    renumber(arrangement, Context());
+    const LinearArrangement expected = arrange(std::move(all), all_pieces, Context());
+    ASSERT_EQ(difference(arrangement, expected, identity(arrangement.curve_count())), "") << round;
+  }
+}
+
 TEST(Insert, EveryOrderGivesTheSame) {
   std::mt19937 random(5);
   for (int round = 0; round < 60; ++round) {

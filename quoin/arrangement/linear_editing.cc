@@ -9,7 +9,6 @@ namespace quoin {
 
 template class CellGeometry<LinearFamily>;
 template class ArrangementEditor<LinearFamily>;
-template ZoneCell locate_naively(const LinearArrangement&, const LinearPoint&);
 template void zone(const LinearArrangement&, const ZonePiece<LinearPoint>&, ZoneVisitor<LinearPoint>&,
                    const ZoneLocator<LinearPoint>&);
 template std::vector<ZoneStep<LinearPoint>> zone_steps(const LinearArrangement&, const ZonePiece<LinearPoint>&,

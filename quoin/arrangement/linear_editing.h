@@ -12,7 +12,6 @@ namespace quoin {
 
 extern template class CellGeometry<LinearFamily>;
 extern template class ArrangementEditor<LinearFamily>;
-extern template ZoneCell locate_naively(const LinearArrangement&, const LinearPoint&);
 extern template void zone(const LinearArrangement&, const ZonePiece<LinearPoint>&, ZoneVisitor<LinearPoint>&,
                           const ZoneLocator<LinearPoint>&);
 extern template std::vector<ZoneStep<LinearPoint>> zone_steps(const LinearArrangement&, const ZonePiece<LinearPoint>&,

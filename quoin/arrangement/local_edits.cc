@@ -184,6 +184,7 @@ void LocalEditor::split_face(HalfedgeId h, const RingPlace& left, const RingPlac
   if (was_outer && dcel_[old_face].is_unbounded) {
     dcel_[new_face].is_unbounded = has_fictitious_edge(created);
     dcel_[old_face].is_unbounded = has_fictitious_edge(kept);
+    if (dcel_.base_face == old_face) dcel_.base_face = dcel_.face(dcel_[frame_corner()].out);
   }
   observers_.tell(&Observer::after_create_edge, h.edge());
   observers_.tell(&Observer::after_split_face, old_face, new_face);

@@ -89,7 +89,7 @@ class LocalEditor {
   BoundaryId new_boundary(HalfedgeId h, FaceId face, bool is_outer);
   void kill(BoundaryId boundary);
   void unlink(HalfedgeId h);
-  void remove_between_faces(HalfedgeId h);
+  void remove_between_faces(HalfedgeId h, const RemoveEdgeOptions& options);
   void remove_in_face(HalfedgeId h, const RemoveEdgeOptions& options);
   void split_boundary(HalfedgeId first, HalfedgeId second, BoundaryId boundary);
   void empty_into(FaceId from, FaceId to);

@@ -13,7 +13,7 @@ void LocalEditor::remove_edge(EdgeId e, const RemoveEdgeOptions& options) {
   if (dcel_[h].boundary != dcel_[h.twin()].boundary) {
     // The face that lies around the other, if any does, is kept.
     if (dcel_[dcel_[h].boundary].is_outer && !dcel_[dcel_[h.twin()].boundary].is_outer) h = h.twin();
-    remove_between_faces(h);
+    remove_between_faces(h, options);
   } else {
     remove_in_face(h, options);
   }
@@ -35,7 +35,7 @@ void LocalEditor::unlink(HalfedgeId h) {
 }
 
 /// The face on the left of `h` is kept.
-void LocalEditor::remove_between_faces(HalfedgeId h) {
+void LocalEditor::remove_between_faces(HalfedgeId h, const RemoveEdgeOptions& options) {
   const BoundaryId kept = dcel_[h].boundary;
   const BoundaryId gone = dcel_[h.twin()].boundary;
   const FaceId kept_face = dcel_[kept].face;
@@ -70,6 +70,7 @@ void LocalEditor::remove_between_faces(HalfedgeId h) {
   }
   observers_.tell(&Observer::after_remove_edge, h.edge());
   observers_.tell(&Observer::after_merge_faces, kept_face, gone_face);
+  if (vanishes && options.removes_left_end && options.removes_right_end) remove_isolated_vertex(v);
 }
 
 void LocalEditor::empty_into(FaceId from, FaceId to) {
@@ -85,6 +86,7 @@ void LocalEditor::empty_into(FaceId from, FaceId to) {
   }
   dcel_[to].is_unbounded = dcel_[to].is_unbounded || dcel_[from].is_unbounded;
   dcel_[from] = Face{BoundaryId(), VertexId(), false, CellState::dead};
+  if (dcel_.base_face == from) dcel_.base_face = to;
 }
 
 void LocalEditor::remove_in_face(HalfedgeId h, const RemoveEdgeOptions& options) {

@@ -6,6 +6,7 @@
 
 #include "quoin/arrangement/cell_data.h"
 #include "quoin/arrangement/editing_test_support.h"
+#include "quoin/arrangement/naive_locator.h"
 
 namespace quoin {
 namespace {
@@ -194,10 +195,10 @@ TEST(CellData, ColoursOfFacesFollow) {
     arrangement.attach(colour);
     arrangement.attach(is_of_line);
     const auto face_of = [&](double x, double y) {
-      return locate_naively(arrangement, LinearFamily::point(Point2{x, y}));
+      return NaiveLocator<LinearFamily>(arrangement).locate(LinearFamily::point(Point2{x, y}));
     };
-    colour[std::get<dcel::FaceId>(face_of(0, 5))] = 1;
-    colour[std::get<dcel::FaceId>(face_of(0, -5))] = 2;
+    colour[face_of(0, 5).face()] = 1;
+    colour[face_of(0, -5).face()] = 2;
     is_of_line[dcel::EdgeId(0)] = 7;
     std::vector<CurveId> ids;
     for (int step = 0; step < 12; ++step) {
@@ -223,9 +224,9 @@ TEST(CellData, ColoursOfFacesFollow) {
       }
       for (const double y : {0.25, 1.125, 2.375, 3.625}) {
         for (const double x : {-3.0625, 0.3125, 1.4375, 2.71875}) {
-          const ZoneCell cell = face_of(x, y);
-          if (std::holds_alternative<dcel::FaceId>(cell)) {
-            ASSERT_EQ(colour[std::get<dcel::FaceId>(cell)], y > 2 ? 1 : 2);
+          const Location cell = face_of(x, y);
+          if (cell.is_face()) {
+            ASSERT_EQ(colour[cell.face()], y > 2 ? 1 : 2);
           }
         }
       }

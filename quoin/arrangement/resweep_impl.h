@@ -13,26 +13,6 @@
 /// Bodies of the operations that sweep an arrangement anew, for the one source file per family that instantiates them.
 namespace quoin {
 
-/// Builds, and remembers the vertex of every point of the list.
-template <CurveFamily F>
-class ResweepVisitor : public BuildVisitor<F> {
- public:
-  ResweepVisitor(const F& family, const PieceList<F>& list)
-      : BuildVisitor<F>(family, list), event_of_point_(list.points.size(), 0) {}
-
-  bool at_event(const SweepEvent<typename F::Point>& event) override {
-    for (const std::uint32_t index : event.known) {
-      if (index < event_of_point_.size()) event_of_point_[index] = event.vertex;
-    }
-    return BuildVisitor<F>::at_event(event);
-  }
-  /// After finish().
-  dcel::VertexId vertex_of_point(std::uint32_t point) const { return this->vertex_of_event()[event_of_point_[point]]; }
-
- private:
-  std::vector<std::uint32_t> event_of_point_;
-};
-
 /// An arrangement as a list: every edge is a piece, and the "curve" of a piece is its number. New pieces follow.
 template <CurveFamily F>
 struct ResweepList {
@@ -120,7 +100,7 @@ CurveHistory trace_edges(const Arrangement<F>& old, const Arrangement<F>& result
 template <CurveFamily F>
 CellMap resweep(Arrangement<F>& arrangement, F&& family, const ResweepList<F>& input, std::uint32_t curve_count,
                 const Context& context) {
-  ResweepVisitor<F> visitor(family, input.list);
+  BuildVisitor<F> visitor(family, input.list);
   const SweepOptions options{input.colours};
   Sweep<F>(family, input.list, {}, options, visitor, context).run();
   Arrangement<F> result = visitor.finish(std::move(family));
@@ -130,11 +110,11 @@ CellMap resweep(Arrangement<F>& arrangement, F&& family, const ResweepList<F>& i
   map.old_vertex.resize(result.vertex_count());
   for (std::size_t i = 0; i < input.point_of_vertex.size(); ++i) {
     if (input.point_of_vertex[i] == input.none) continue;
-    map.new_vertex[i] = visitor.vertex_of_point(input.point_of_vertex[i]);
+    map.new_vertex[i] = visitor.vertex_of_point()[input.point_of_vertex[i]];
     map.old_vertex[map.new_vertex[i].index()] = dcel::VertexId(i);
   }
   dcel::trace_faces(arrangement.cells(), result.cells(), map);
-  ArrangementEditor<F>(result).set_history(std::move(history), curve_count);
+  result.set_history(std::move(history), curve_count);
   ArrangementEditor<F>(arrangement).replace(std::move(result), map);
   return map;
 }

@@ -3,18 +3,14 @@
 
 #include <functional>
 #include <optional>
-#include <variant>
 #include <vector>
 
 #include "quoin/arrangement/arrangement.h"
-#include "quoin/arrangement/cell_geometry.h"
+#include "quoin/arrangement/location.h"
 
 namespace quoin {
 
-/// The cell that holds a point in its interior.
-using ZoneCell = std::variant<dcel::FaceId, dcel::EdgeId, dcel::VertexId>;
-
-/// An x-monotone piece by its own end points.
+/// An x-monotone piece by its own end points; all belong to the family of the arrangement.
 template <class Point>
 struct ZonePiece {
   BranchId branch;
@@ -27,8 +23,8 @@ template <class Point>
 struct ZoneStep {
   Point left;
   Point right;
-  ZoneCell at_left;   ///< a face only at the left end of the piece
-  ZoneCell at_right;  ///< a face only at the right end of the piece; an end at infinity that no vertex is at counts so
+  Location at_left;   ///< a face only at the left end of the piece
+  Location at_right;  ///< a face only at the right end of the piece; an end at infinity that no vertex is at counts so
   dcel::FaceId face;  ///< that the part runs through, or none if
   dcel::EdgeId overlapped;  ///< it runs along this edge
 };
@@ -40,16 +36,12 @@ class ZoneVisitor {
   virtual ~ZoneVisitor() = default;
   /// From left to right. Returns the cell at the right end of the step, as it is after the visitor's changes; none to
   /// stop the walk.
-  virtual std::optional<ZoneCell> at_step(const ZoneStep<Point>& step) = 0;
+  virtual std::optional<Location> at_step(const ZoneStep<Point>& step) = 0;
 };
 
-/// Finds the cell of a point that is not at infinity.
+/// Finds the cell of a point that is not at infinity, as `locate` of a PointLocator does; none: by NaiveLocator.
 template <class Point>
-using ZoneLocator = std::function<ZoneCell(const Point&)>;
-
-/// Location without any structure: O(size).
-template <CurveFamily F>
-ZoneCell locate_naively(const Arrangement<F>& arrangement, const typename F::Point& p);
+using ZoneLocator = std::function<Location(const Point&)>;
 
 /// Walks along a piece, face by face, through everything that it meets: vertices, edges crossed or touched, edges that
 /// it runs along. The left end is found by `locate`, or naively.

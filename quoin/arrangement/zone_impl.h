@@ -1,28 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "quoin/arrangement/cell_geometry.h"
+#include "quoin/arrangement/naive_locator.h"
 #include "quoin/arrangement/zone.h"
 #include "quoin/base/error.h"
 
 /// Bodies of the zone, for the one source file per family that instantiates it.
 namespace quoin {
-
-template <CurveFamily F>
-ZoneCell locate_naively(const Arrangement<F>& arrangement, const typename F::Point& p) {
-  const dcel::Dcel& cells = arrangement.cells();
-  const F& family = arrangement.family();
-  for (std::size_t i = 0; i < cells.vertices.size(); ++i) {
-    const dcel::VertexId v(i);
-    if (cells.is_real(v) && family.compare_xy(arrangement.point(v), p) == Sign::zero) return v;
-  }
-  const CellGeometry<F> geometry(arrangement);
-  for (std::size_t i = 0; i < cells.edges.size(); ++i) {
-    const dcel::EdgeId e(i);
-    if (!cells.is_real(e) || !geometry.spans(e, p)) continue;
-    if (family.compare_y_at_x(p, arrangement.branch(e)) == Sign::zero) return e;
-  }
-  return geometry.face_around(p);
-}
 
 /// The walk along one piece.
 template <CurveFamily F>
@@ -34,9 +19,9 @@ class ZoneWalk {
   ZoneWalk(const Arrangement<F>& arrangement, const ZonePiece<Point>& piece)
       : arrangement_(arrangement), family_(arrangement.family()), geometry_(arrangement), piece_(piece) {}
 
-  ZoneCell first_cell(const ZoneLocator<Point>& locate) const;
+  Location first_cell(const ZoneLocator<Point>& locate) const;
   /// The part of the piece that begins at a point in a cell.
-  Step next(const Point& from, const ZoneCell& cell);
+  Step next(const Point& from, const Location& cell);
 
  private:
   bool is_before(const Point& p, const Point& q) const { return family_.compare_xy(p, q) == Sign::negative; }
@@ -46,7 +31,7 @@ class ZoneWalk {
   void meet_edge(dcel::EdgeId e);
   void meet_isolated(dcel::VertexId v);
   bool is_below_just_right(dcel::EdgeId e, Sign starts_later, bool& overlaps) const;
-  void offer(const Point& p, const ZoneCell& cell);
+  void offer(const Point& p, const Location& cell);
 
   const Arrangement<F>& arrangement_;
   const F& family_;
@@ -56,36 +41,33 @@ class ZoneWalk {
 };
 
 template <CurveFamily F>
-ZoneCell ZoneWalk<F>::first_cell(const ZoneLocator<Point>& locate) const {
+Location ZoneWalk<F>::first_cell(const ZoneLocator<Point>& locate) const {
   if (family_.side(piece_.left) == Side::interior) {
-    return locate ? locate(piece_.left) : locate_naively(arrangement_, piece_.left);
+    return locate ? locate(piece_.left) : NaiveLocator<F>(arrangement_).locate(piece_.left);
   }
   if (!geometry_.first_corner().is_none()) {
     const auto place = geometry_.frame_place(piece_.left);
     if (!place.vertex.is_none()) return place.vertex;
     return arrangement_.cells().face(place.edge);
   }
-  const auto& faces = arrangement_.cells().faces;
-  for (std::size_t i = 0; i < faces.size(); ++i) {
-    if (faces[i].state == dcel::CellState::real && faces[i].is_unbounded) return dcel::FaceId(i);
-  }
-  throw InputError("zone: the surface has no unbounded face");
+  return arrangement_.cells().base_face;
 }
 
 template <CurveFamily F>
-typename ZoneWalk<F>::Step ZoneWalk<F>::next(const Point& from, const ZoneCell& cell) {
+typename ZoneWalk<F>::Step ZoneWalk<F>::next(const Point& from, const Location& cell) {
   step_ = {from, piece_.right, cell, cell, {}, {}};
-  if (const auto* face = std::get_if<dcel::FaceId>(&cell)) {
-    go_through(*face);
-  } else if (const auto* edge = std::get_if<dcel::EdgeId>(&cell)) {
-    const Sign order = family_.compare_right(piece_.branch, arrangement_.branch(*edge), from);
+  if (cell.is_face()) {
+    go_through(cell.face());
+  } else if (cell.is_edge()) {
+    const dcel::EdgeId edge = cell.edge();
+    const Sign order = family_.compare_right(piece_.branch, arrangement_.branch(edge), from);
     if (order == Sign::zero) {
-      go_along(*edge);
+      go_along(edge);
     } else {
-      go_through(arrangement_.cells().face(dcel::HalfedgeId(*edge, order == Sign::negative)));
+      go_through(arrangement_.cells().face(dcel::HalfedgeId(edge, order == Sign::negative)));
     }
   } else {
-    const RingSearch found = geometry_.place_right(std::get<dcel::VertexId>(cell), piece_.branch);
+    const RingSearch found = geometry_.place_right(cell.vertex(), piece_.branch);
     if (!found.overlapped.is_none()) {
       go_along(found.overlapped);
     } else if (found.place.arriving.is_none()) {
@@ -128,11 +110,10 @@ void ZoneWalk<F>::go_through(dcel::FaceId face) {
 
 /// Keeps the first point; at equal points a vertex, or at the right end of the piece whatever is there.
 template <CurveFamily F>
-void ZoneWalk<F>::offer(const Point& p, const ZoneCell& cell) {
+void ZoneWalk<F>::offer(const Point& p, const Location& cell) {
   const Sign order = family_.compare_xy(p, step_.right);
   if (order == Sign::positive) return;
-  if (order == Sign::zero && !std::holds_alternative<dcel::FaceId>(step_.at_right) &&
-      !std::holds_alternative<dcel::VertexId>(cell)) {
+  if (order == Sign::zero && !step_.at_right.is_face() && !cell.is_vertex()) {
     return;
   }
   step_.right = p;
@@ -196,10 +177,10 @@ void zone(const Arrangement<F>& arrangement, const ZonePiece<typename F::Point>&
   if (!F::Surface::has_unbounded_face) throw InputError("zone: not supported on this surface");
   ZoneWalk<F> walk(arrangement, piece);
   typename F::Point from = piece.left;
-  ZoneCell cell = walk.first_cell(locate);
+  Location cell = walk.first_cell(locate);
   for (;;) {
     const auto step = walk.next(from, cell);
-    const std::optional<ZoneCell> at = visitor.at_step(step);
+    const std::optional<Location> at = visitor.at_step(step);
     if (!at || arrangement.family().compare_xy(step.right, piece.right) == Sign::zero) return;
     cell = *at;
     from = step.right;
@@ -213,7 +194,7 @@ std::vector<ZoneStep<typename F::Point>> zone_steps(const Arrangement<F>& arrang
   using Step = ZoneStep<typename F::Point>;
   class Collector : public ZoneVisitor<typename F::Point> {
    public:
-    std::optional<ZoneCell> at_step(const Step& step) override {
+    std::optional<Location> at_step(const Step& step) override {
       steps.push_back(step);
       return step.at_right;
     }
@@ -228,9 +209,8 @@ bool meets_anything(const Arrangement<F>& arrangement, const ZonePiece<typename 
                     const ZoneLocator<typename F::Point>& locate) {
   class Tester : public ZoneVisitor<typename F::Point> {
    public:
-    std::optional<ZoneCell> at_step(const ZoneStep<typename F::Point>& step) override {
-      meets =
-          !std::holds_alternative<dcel::FaceId>(step.at_left) || !std::holds_alternative<dcel::FaceId>(step.at_right);
+    std::optional<Location> at_step(const ZoneStep<typename F::Point>& step) override {
+      meets = !step.at_left.is_face() || !step.at_right.is_face();
       return std::nullopt;  // without a meeting there is one step only
     }
     bool meets = false;

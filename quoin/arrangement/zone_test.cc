@@ -2,6 +2,7 @@
 #include "quoin/arrangement/zone.h"
 
 #include "quoin/arrangement/editing_test_support.h"
+#include "quoin/arrangement/naive_locator.h"
 
 namespace quoin {
 namespace {
@@ -38,12 +39,12 @@ TEST(Zone, StepsAreWhereTheySay) {
       ASSERT_EQ(arrangement.family().compare_xy(step.left, step.right), Sign::negative);
       if (i > 0) {
         ASSERT_EQ(step.at_left, steps[i - 1].at_right);
-        ASSERT_FALSE(std::holds_alternative<dcel::FaceId>(step.at_left));
+        ASSERT_FALSE(step.at_left.is_face());
       }
       for (const auto& end : {std::pair(step.left, step.at_left), std::pair(step.right, step.at_right)}) {
-        meets = meets || !std::holds_alternative<dcel::FaceId>(end.second);
+        meets = meets || !end.second.is_face();
         if (!end.first.is_end()) {
-          ASSERT_EQ(locate_naively(arrangement, end.first), end.second);
+          ASSERT_EQ(NaiveLocator<LinearFamily>(arrangement).locate(end.first), end.second);
         }
       }
       if (step.left.is_end() || step.right.is_end()) continue;
@@ -51,11 +52,11 @@ TEST(Zone, StepsAreWhereTheySay) {
       const RationalPoint2 q = arrangement.family().exact(step.right);
       const Rational half = Rational(1) / Rational(2);
       const LinearPoint middle = editor.family().point(RationalPoint2{(p.x + q.x) * half, (p.y + q.y) * half});
-      const ZoneCell cell = locate_naively(arrangement, middle);
+      const Location cell = NaiveLocator<LinearFamily>(arrangement).locate(middle);
       if (step.overlapped.is_none()) {
-        ASSERT_EQ(cell, ZoneCell(step.face));
+        ASSERT_EQ(cell, Location(step.face));
       } else {
-        ASSERT_EQ(cell, ZoneCell(step.overlapped));
+        ASSERT_EQ(cell, Location(step.overlapped));
       }
     }
     ASSERT_EQ(meets_anything(arrangement, path), meets);
