@@ -219,10 +219,13 @@ template <CurveFamily F>
 bool ArrangementEditor<F>::can_merge(dcel::VertexId v) const {
   const dcel::Dcel& cells = a_.cells_;
   if (!cells.is_real(v) || cells.is_isolated(v) || cells.degree(v) != 2) return false;
-  if (a_.family_.side(a_.point(v)) != Side::interior) return false;
   const dcel::HalfedgeId one = cells[v].out;
   const dcel::HalfedgeId other = cells.clockwise(one);
   if (one.is_forward() == other.is_forward() || one.edge() == other.edge()) return false;
+  // Copies of the point differ where a curve goes on beyond a glued or contracted side.
+  const dcel::EdgeId before = one.is_forward() ? other.edge() : one.edge();
+  const dcel::EdgeId after = one.is_forward() ? one.edge() : other.edge();
+  if (a_.family_.compare_xy(a_.right_point(before), a_.left_point(after)) != Sign::zero) return false;
   const auto curves = a_.curves(one.edge());
   const auto others = a_.curves(other.edge());
   return std::equal(curves.begin(), curves.end(), others.begin(), others.end()) &&

@@ -21,7 +21,11 @@ class ZoneInserter : public ZoneVisitor<typename F::Point> {
   std::optional<Location> at_step(const Step& step) override {
     const dcel::VertexId left = vertex_at(step.at_left, step.left);
     if (!step.overlapped.is_none()) return run_along(left, step);
-    const dcel::VertexId right = vertex_at(step.at_right, step.right);
+    // A curve may start on an edge and come back to it: then it comes back to what is now the right part.
+    const bool comes_back = step.at_left.is_edge() && step.at_left == step.at_right;
+    const dcel::VertexId right = comes_back
+                                     ? editor_.split_edge(editor_.arrangement().cells()[left].out.edge(), step.right)
+                                     : vertex_at(step.at_right, step.right);
     const NewEdge edge{branch_, {&use_, 1}};
     dcel::EdgeId created;
     if (left.is_none()) {
