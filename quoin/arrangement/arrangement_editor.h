@@ -87,6 +87,7 @@ class ArrangementEditor {
   dcel::VertexId split(dcel::EdgeId e, const Point& point);
   dcel::EdgeId link(const NewEdge& edge, const dcel::RingPlace& left, const dcel::RingPlace& right);
   void fill_columns();
+  void set_ends(dcel::EdgeId e, const Point& left, const Point& right);
 
   Arrangement<F>& a_;
   CellGeometry<F> geometry_;

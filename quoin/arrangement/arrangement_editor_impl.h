@@ -144,7 +144,25 @@ dcel::VertexId ArrangementEditor<F>::split(dcel::EdgeId e, const Point& point) {
   a_.branches_.push_back(branch);
   const auto uses = a_.history_.of(e);
   a_.history_.append(std::vector<CurveUse>(uses.begin(), uses.end()));
+  if (const auto* own = a_.own_ends(e)) {
+    const EdgeEnds<Point> ends = *own;
+    set_ends(e, ends.left, point);
+    set_ends(dcel::EdgeId(a_.branches_.size() - 1), point, ends.right);
+  }
   return local_.split_edge(e);
+}
+
+/// Keeps the table sorted by edge.
+template <CurveFamily F>
+void ArrangementEditor<F>::set_ends(dcel::EdgeId e, const Point& left, const Point& right) {
+  auto& table = a_.edge_ends_;
+  const auto place = std::lower_bound(table.begin(), table.end(), e,
+                                      [](const EdgeEnds<Point>& ends, dcel::EdgeId edge) { return ends.edge < edge; });
+  if (place != table.end() && place->edge == e) {
+    *place = {e, left, right};
+  } else {
+    table.insert(place, {e, left, right});
+  }
 }
 
 template <CurveFamily F>
@@ -238,6 +256,12 @@ dcel::EdgeId ArrangementEditor<F>::merge_edges(dcel::VertexId v) {
   if (!can_merge(v)) throw InputError("the edges at vertex " + std::to_string(v.value) + " are not one piece");
   const dcel::HalfedgeId out = a_.cells_[v].out;
   const dcel::EdgeId gone = out.is_forward() ? out.edge() : a_.cells_.clockwise(out).edge();
+  const dcel::EdgeId left = out.is_forward() ? a_.cells_.clockwise(out).edge() : out.edge();
+  if (a_.own_ends(left) != nullptr || a_.own_ends(gone) != nullptr) {
+    const Point from = a_.left_point(left);
+    const Point to = a_.right_point(gone);
+    set_ends(left, from, to);
+  }
   const dcel::EdgeId kept = local_.merge_edges(v);
   a_.history_.assign(gone, {});
   return kept;
