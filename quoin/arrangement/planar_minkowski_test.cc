@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <random>
 #include <sstream>
 
@@ -46,7 +47,7 @@ LinearPolygonSet both(const LinearPolygonSet& a, const LinearPolygonSet& b, SetO
 std::string written(const Rings& rings) {
   std::ostringstream text;
   for (const Ring& ring : rings) {
-    for (const Point2& p : ring) text << '(' << p.x << ' ' << p.y << ") ";
+    for (const Point2& p : ring) text << std::setprecision(17) << '(' << p.x << ' ' << p.y << ") ";
     text << "; ";
   }
   return text.str();
@@ -332,6 +333,27 @@ TEST(PlanarMinkowski, PegOfTheHolesSizeLeavesAPoint) {
   const PlanarMinkowskiSum fitted = add(shaped, reflected(set_of({peg}), Context()));
   EXPECT_EQ(fitted.isolated_points, 1U);
   EXPECT_EQ(fitted.holes, 0U);
+}
+
+TEST(PlanarMinkowski, NearlyDegenerateDoubles) {
+  // Grids in tenths: what would be parallel, collinear or equal there is off by a unit in the last place.
+  std::mt19937 random(41);
+  for (int round = 0; round < 40; ++round) {
+    Rings a = round % 2 == 0 ? random_squares(random, 3) : random_rings(random, 2, 4, 5);
+    Rings b = random_rings(random, 1, 3, 4);
+    for (Rings* rings : {&a, &b}) {
+      for (Ring& ring : *rings) {
+        for (Point2& p : ring) p = {p.x * 0.1, p.y * 0.1 + (round % 4 == 3 ? 1.0 : 0.0)};
+      }
+    }
+    const LinearPolygonSet set_a = set_of(a);
+    const LinearPolygonSet set_b = set_of(b);
+    SCOPED_TRACE("round " + std::to_string(round) + ": " + written(a) + " and " + written(b));
+    const PlanarMinkowskiSum result = add(set_a, set_b);
+    ASSERT_TRUE(are_equal(result.sum, slow_sum(set_a, set_b)));
+    EXPECT_TRUE(are_equal(both(result.open_sum, result.tight, SetOperation::unite), result.sum.interior()));
+    EXPECT_TRUE(both(result.open_sum, result.tight, SetOperation::intersect).is_empty());
+  }
 }
 
 TEST(PlanarMinkowski, PegsThatAreOneUnitOff) {
