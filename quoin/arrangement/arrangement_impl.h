@@ -15,8 +15,9 @@ Arrangement<F>::Arrangement() {
 
 template <CurveFamily F>
 Arrangement<F> arrange(F family, const PieceList<F>& list, const Context& context) {
-  BuildVisitor<F> visitor(family, list);
-  Sweep<F>(family, list, {}, {}, visitor, context).run();
+  const PieceList<F> sorted = sorted_list(context, family, list);
+  BuildVisitor<F> visitor(family, sorted);
+  Sweep<F>(family, sorted, {}, {}, visitor, context).run();
   return visitor.finish(std::move(family));
 }
 

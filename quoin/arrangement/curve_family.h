@@ -55,7 +55,8 @@ concept CurveFamily = requires(F& family, const F& f, const typename F::Point& p
   { f.same_branch(b, b) } -> std::same_as<bool>;
   { f.side(p) } -> std::same_as<Side>;
 
-  /// Two branches have one common point at most.
+  /// Two branches have one common point at most. Such a family also has a first_meeting that takes the order of the two
+  /// ends instead of `after`.
   { F::meets_once } -> std::convertible_to<bool>;
   /// Branches that meet always cross: curves that go on through a common point come out in reverse order.
   { F::meets_transversally } -> std::convertible_to<bool>;

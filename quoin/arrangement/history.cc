@@ -3,15 +3,10 @@
 
 namespace quoin {
 
-CurveHistory::Use CurveHistory::stored(std::span<const CurveUse> curves) {
-  if (curves.size() == 1) return {curves[0], single, 1};
-  const Use use{CurveUse(), static_cast<std::uint32_t>(table_.size()), static_cast<std::uint32_t>(curves.size())};
+CurveUse CurveHistory::stored_bundle(std::span<const CurveUse> curves) {
   table_.insert(table_.end(), curves.begin(), curves.end());
-  return use;
-}
-
-void CurveHistory::append(std::span<const CurveUse> curves) {
-  uses_.push_back(stored(curves));
+  bundle_begin_.push_back(static_cast<std::uint32_t>(table_.size()));
+  return CurveUse::bundle_number(bundle_begin_.size() - 2);
 }
 
 void CurveHistory::assign(dcel::EdgeId edge, std::span<const CurveUse> curves) {

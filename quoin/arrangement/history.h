@@ -10,7 +10,7 @@
 
 namespace quoin {
 
-/// An input curve that passes along an edge, and which way.
+/// An input curve that passes along an edge, and which way. There are at most 2^30 curves.
 class CurveUse {
  public:
   constexpr CurveUse() = default;
@@ -23,6 +23,16 @@ class CurveUse {
   friend constexpr auto operator<=>(CurveUse, CurveUse) = default;
 
  private:
+  friend class CurveHistory;
+  static constexpr std::uint32_t bundle_flag = 0x80000000U;
+  static constexpr CurveUse bundle_number(std::size_t bundle) {
+    CurveUse use;
+    use.value_ = bundle_flag | static_cast<std::uint32_t>(bundle);
+    return use;
+  }
+  constexpr bool is_bundle() const { return value_ >= bundle_flag; }
+  constexpr std::uint32_t bundle() const { return value_ & ~bundle_flag; }
+
   std::uint32_t value_ = 0xFFFFFFFFU;
 };
 
@@ -31,28 +41,25 @@ class CurveHistory {
  public:
   std::size_t edge_count() const { return uses_.size(); }
   std::span<const CurveUse> of(dcel::EdgeId edge) const {
-    const Use& use = uses_[edge.index()];
-    if (use.bundle == single) return {&use.curve, 1};
-    return {table_.data() + use.bundle, use.count};
+    const CurveUse& use = uses_[edge.index()];
+    if (!use.is_bundle()) return {&use, 1};
+    const std::uint32_t bundle = use.bundle();
+    return {table_.data() + bundle_begin_[bundle], bundle_begin_[bundle + 1] - bundle_begin_[bundle]};
   }
   /// Edges of each curve, in the order of edges. O(size).
   std::vector<std::vector<dcel::EdgeId>> edges_by_curve(std::size_t curve_count) const;
 
   /// The next edge has these curves. An edge without curves is allowed (fictitious ones).
-  void append(std::span<const CurveUse> curves);
+  void append(std::span<const CurveUse> curves) { uses_.push_back(stored(curves)); }
   void assign(dcel::EdgeId edge, std::span<const CurveUse> curves);
 
  private:
-  static constexpr std::uint32_t single = 0xFFFFFFFFU;
-  struct Use {
-    CurveUse curve;
-    std::uint32_t bundle = single;
-    std::uint32_t count = 1;
-  };
-  Use stored(std::span<const CurveUse> curves);
+  CurveUse stored(std::span<const CurveUse> curves) { return curves.size() == 1 ? curves[0] : stored_bundle(curves); }
+  CurveUse stored_bundle(std::span<const CurveUse> curves);
 
-  std::vector<Use> uses_;
+  std::vector<CurveUse> uses_;  // by edge: a curve, or the number of a bundle
   std::vector<CurveUse> table_;
+  std::vector<std::uint32_t> bundle_begin_{0};
 };
 
 }  // namespace quoin

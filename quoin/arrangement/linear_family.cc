@@ -333,9 +333,8 @@ Sign LinearFamily::compare_y_at_x_slowly(const Point& p, BranchId b) const {
 }
 
 bool LinearFamily::first_meeting(BranchId lower, const Point& lower_end, BranchId upper, const Point& upper_end,
-                                 const Point&, Point& out) const {
+                                 Sign ends, Point& out) const {
   // Lines cross once: they do so to the right of where `lower` is below if the earlier end is on the other side.
-  const Sign ends = compare_xy(lower_end, upper_end);
   if (ends == Sign::zero) return false;
   const bool crosses = ends == Sign::negative ? compare_y_at_x(lower_end, upper) == Sign::positive
                                               : compare_y_at_x(upper_end, lower) == Sign::negative;

@@ -116,7 +116,11 @@ class LinearFamily {
     if (!p.is_end()) return Side::interior;
     return static_cast<Side>(p.second - LinearPoint::left_tag + 1);
   }
-  bool first_meeting(BranchId lower, const Point& lower_end, BranchId upper, const Point& upper_end, const Point& after,
+  bool first_meeting(BranchId lower, const Point& lower_end, BranchId upper, const Point& upper_end, const Point&,
+                     Point& out) const {
+    return first_meeting(lower, lower_end, upper, upper_end, compare_xy(lower_end, upper_end), out);
+  }
+  bool first_meeting(BranchId lower, const Point& lower_end, BranchId upper, const Point& upper_end, Sign ends,
                      Point& out) const;
   void meetings(BranchId a, BranchId b, std::vector<Meeting<Point>>& out) const;
   Shift absorb(const LinearFamily& other);

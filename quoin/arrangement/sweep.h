@@ -81,6 +81,7 @@ class Sweep {
     return index >= list_.points.size() && index - list_.points.size() < queries_.size();
   }
   void order_points();
+  void rank_points();
   bool take_next_event();
   void read_incidences();
   void find_run();
@@ -98,7 +99,7 @@ class Sweep {
   bool ends_later(std::uint32_t a, std::uint32_t b) const {
     const Piece& p = list_.pieces[a];
     const Piece& q = list_.pieces[b];
-    return p.right != q.right && family_.compare_xy(list_.points[p.right], list_.points[q.right]) == Sign::positive;
+    return rank_[p.right] > rank_[q.right];
   }
   BranchId branch_of(std::uint32_t piece) const { return list_.pieces[piece].branch; }
   void write_run();
@@ -113,6 +114,7 @@ class Sweep {
   std::vector<Point> copies_;  // left copies of points on an identified right side
   PointIncidences incidences_;
   std::vector<std::uint32_t> order_;
+  std::vector<std::uint32_t> rank_;  // by point: equal points have equal ranks
   std::size_t next_known_ = 0;
   SweepStatus status_;
   SweepHeap<F> heap_;

@@ -41,8 +41,19 @@ void Sweep<F>::order_points() {
 }
 
 template <CurveFamily F>
+void Sweep<F>::rank_points() {
+  rank_.resize(order_.size());
+  std::uint32_t rank = 0;
+  for (std::size_t i = 0; i < order_.size(); ++i) {
+    if (i > 0 && family_.compare_xy(point_of(order_[i - 1]), point_of(order_[i])) != Sign::zero) ++rank;
+    rank_[order_[i]] = rank;
+  }
+}
+
+template <CurveFamily F>
 void Sweep<F>::run() {
   order_points();
+  rank_points();
   for (std::size_t count = 0; take_next_event(); ++count) {
     if (count % 256 == 0) context_.poll();
     read_incidences();
@@ -85,7 +96,7 @@ bool Sweep<F>::take_next_event() {
   }
   event_point_ = point_of(order_[next_known_]);
   std::size_t end = next_known_ + 1;
-  while (end < order_.size() && family_.compare_xy(point_of(order_[end]), event_point_) == Sign::zero) ++end;
+  while (end < order_.size() && rank_[order_[end]] == rank_[order_[next_known_]]) ++end;
   known_ = {order_.data() + next_known_, end - next_known_};
   next_known_ = end;
   return true;
@@ -289,11 +300,19 @@ void Sweep<F>::find_crossing(std::uint32_t node) {
   const Node& lower = status_[node];
   const Node& upper = status_[lower.above];
   if (!options_.colours.empty() && options_.colours[lower.head] == options_.colours[upper.head]) return;
+  const std::uint32_t lower_end = list_.pieces[lower.head].right;
+  const std::uint32_t upper_end = list_.pieces[upper.head].right;
   Point point;
-  if (family_.first_meeting(lower.branch, list_.points[list_.pieces[lower.head].right], upper.branch,
-                            list_.points[list_.pieces[upper.head].right], event_point_, point)) {
-    heap_.push(node, point);
+  bool meet;
+  if constexpr (F::meets_once) {
+    const Sign ends = sign_of(static_cast<std::int64_t>(rank_[lower_end]) - rank_[upper_end]);
+    meet = family_.first_meeting(lower.branch, list_.points[lower_end], upper.branch, list_.points[upper_end], ends,
+                                 point);
+  } else {
+    meet = family_.first_meeting(lower.branch, list_.points[lower_end], upper.branch, list_.points[upper_end],
+                                 event_point_, point);
   }
+  if (meet) heap_.push(node, point);
 }
 
 }  // namespace quoin

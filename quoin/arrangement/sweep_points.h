@@ -68,4 +68,34 @@ std::vector<std::uint32_t> sorted_points(const Context& context, const F& family
   return order;
 }
 
+/// The same list with points in lexicographic order and pieces by their left ends: the sweep then passes over memory in
+/// order.
+template <CurveFamily F>
+PieceList<F> sorted_list(const Context& context, const F& family, const PieceList<F>& list) {
+  const std::vector<std::uint32_t> order =
+      sorted_points(context, family, std::span<const typename F::Point>(list.points));
+  PieceList<F> result;
+  result.curve_count = list.curve_count;
+  std::vector<std::uint32_t> place(order.size());
+  result.points.resize(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    place[order[i]] = static_cast<std::uint32_t>(i);
+    result.points[i] = list.points[order[i]];
+  }
+  // By counting, stable.
+  std::vector<std::uint32_t> begin(order.size() + 1, 0);
+  for (const Piece& piece : list.pieces) ++begin[place[piece.left] + 1];
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  result.pieces.resize(list.pieces.size());
+  for (const Piece& piece : list.pieces) {
+    Piece& to = result.pieces[begin[place[piece.left]]++];
+    to = piece;
+    to.left = place[piece.left];
+    to.right = place[piece.right];
+  }
+  result.lone_points.reserve(list.lone_points.size());
+  for (const LonePoint& lone : list.lone_points) result.lone_points.push_back({place[lone.point], lone.curve});
+  return result;
+}
+
 }  // namespace quoin
