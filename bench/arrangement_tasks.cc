@@ -68,7 +68,7 @@ void arrange_with(const std::vector<Input>& inputs, const Task& task) {
     F family;
     PieceList<F> list;
     for (const Input& input : inputs) add(family, list, input);
-    const quoin::Arrangement<F> result = quoin::arrange(std::move(family), list, context);
+    const quoin::Arrangement<F> result = quoin::arrange(std::move(family), std::move(list), context);
     best.stop();
     counts = result.counts();
   }

@@ -119,5 +119,8 @@ class Arrangement {
 /// @throws Cancelled
 template <CurveFamily F>
 Arrangement<F> arrange(F family, const PieceList<F>& list, const Context& context);
+/// The same of a list that is not needed any more: it is empty afterwards, and its memory is free while the sweep runs.
+template <CurveFamily F>
+Arrangement<F> arrange(F family, PieceList<F>&& list, const Context& context);
 
 }  // namespace quoin

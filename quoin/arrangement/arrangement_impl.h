@@ -13,12 +13,28 @@ Arrangement<F>::Arrangement() {
   cells_ = dcel::DcelBuilder().finish(F::Surface::sides, F::Surface::has_unbounded_face).dcel;
 }
 
+namespace arrangement_detail {
+
+template <CurveFamily F>
+Arrangement<F> arrange_sorted(F family, const PieceList<F>& sorted, const Context& context) {
+  BuildVisitor<F> visitor(family, sorted, false);
+  Sweep<F>(family, sorted, {}, {}, visitor, context).run();
+  return visitor.finish(std::move(family));
+}
+
+}  // namespace arrangement_detail
+
 template <CurveFamily F>
 Arrangement<F> arrange(F family, const PieceList<F>& list, const Context& context) {
   const PieceList<F> sorted = sorted_list(context, family, list);
-  BuildVisitor<F> visitor(family, sorted);
-  Sweep<F>(family, sorted, {}, {}, visitor, context).run();
-  return visitor.finish(std::move(family));
+  return arrangement_detail::arrange_sorted(std::move(family), sorted, context);
+}
+
+template <CurveFamily F>
+Arrangement<F> arrange(F family, PieceList<F>&& list, const Context& context) {
+  const PieceList<F> sorted = sorted_list(context, family, list);
+  list = PieceList<F>();
+  return arrangement_detail::arrange_sorted(std::move(family), sorted, context);
 }
 
 }  // namespace quoin

@@ -17,8 +17,9 @@ class BuildVisitor : public SweepVisitor<typename F::Point> {
   using Point = typename F::Point;
   static constexpr bool has_glued_sides = F::Surface::sides.left == SideKind::identified;
 
-  BuildVisitor(const F& family, const PieceList<F>& list)
-      : family_(family), list_(list), event_of_point_(list.points.size()) {
+  /// `follows_points`: vertex_of_point will be asked for.
+  BuildVisitor(const F& family, const PieceList<F>& list, bool follows_points = true)
+      : family_(family), list_(list), vertex_of_point_(follows_points ? list.points.size() : 0) {
     if constexpr (has_glued_sides) number_copies();
   }
 
@@ -28,7 +29,7 @@ class BuildVisitor : public SweepVisitor<typename F::Point> {
     builder_.add_event(link);
     points_.push_back(event.point);
     for (const std::uint32_t index : event.known) {
-      if (index < event_of_point_.size()) event_of_point_[index] = event.vertex;
+      if (index < vertex_of_point_.size()) vertex_of_point_[index] = dcel::VertexId(std::size_t{event.vertex});
     }
     for (const std::uint32_t head : event.bundles) {
       branches_.push_back(list_.pieces[head].branch);
@@ -48,6 +49,18 @@ class BuildVisitor : public SweepVisitor<typename F::Point> {
   Arrangement<F> finish(F family) {
     auto built = builder_.finish(F::Surface::sides, F::Surface::has_unbounded_face);
     const std::size_t edges = built.dcel.edges.size();
+    if (!built.vertex_of_event.empty()) number_points(built);
+    branches_.resize(edges);
+    while (history_.edge_count() < edges) history_.append({});
+    Arrangement<F> result(std::move(family), std::move(built.dcel), std::move(points_), std::move(branches_),
+                          std::move(history_), list_.curve_count);
+    if constexpr (has_glued_sides) result.set_edge_ends(edge_ends(result));
+    return result;
+  }
+
+ private:
+  /// From events to vertices.
+  void number_points(const dcel::DcelBuilder::Result& built) {
     std::vector<Point> points(built.dcel.vertices.size());
     std::size_t with_point = 0;
     for (std::size_t event = built.vertex_of_event.size(); event-- > 0;) {
@@ -56,17 +69,9 @@ class BuildVisitor : public SweepVisitor<typename F::Point> {
       with_point = std::max(with_point, vertex + 1);
     }
     points.resize(with_point);
-    vertex_of_point_.reserve(event_of_point_.size());
-    for (const std::uint32_t event : event_of_point_) vertex_of_point_.push_back(built.vertex_of_event[event]);
-    branches_.resize(edges);
-    while (history_.edge_count() < edges) history_.append({});
-    Arrangement<F> result(std::move(family), std::move(built.dcel), std::move(points), std::move(branches_),
-                          std::move(history_), list_.curve_count);
-    if constexpr (has_glued_sides) result.set_edge_ends(edge_ends(result));
-    return result;
+    points_ = std::move(points);
+    for (dcel::VertexId& vertex : vertex_of_point_) vertex = built.vertex_of_event[vertex.index()];
   }
-
- private:
   std::vector<EdgeEnds<Point>> edge_ends(const Arrangement<F>& made) {
     std::sort(ends_.begin(), ends_.end(), [](const End& a, const End& b) { return a.edge < b.edge; });
     std::vector<EdgeEnds<Point>> result;
@@ -100,7 +105,6 @@ class BuildVisitor : public SweepVisitor<typename F::Point> {
   const F& family_;
   const PieceList<F>& list_;
   dcel::DcelBuilder builder_;
-  std::vector<std::uint32_t> event_of_point_;
   std::vector<dcel::VertexId> vertex_of_point_;
   std::vector<Point> points_;  // by event
   std::vector<BranchId> branches_;

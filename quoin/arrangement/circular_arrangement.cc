@@ -8,5 +8,6 @@ namespace quoin {
 template class Sweep<CircularFamily>;
 template class Arrangement<CircularFamily>;
 template Arrangement<CircularFamily> arrange(CircularFamily, const PieceList<CircularFamily>&, const Context&);
+template Arrangement<CircularFamily> arrange(CircularFamily, PieceList<CircularFamily>&&, const Context&);
 
 }  // namespace quoin

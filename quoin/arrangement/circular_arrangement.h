@@ -10,6 +10,7 @@ namespace quoin {
 extern template class Sweep<CircularFamily>;
 extern template class Arrangement<CircularFamily>;
 extern template Arrangement<CircularFamily> arrange(CircularFamily, const PieceList<CircularFamily>&, const Context&);
+extern template Arrangement<CircularFamily> arrange(CircularFamily, PieceList<CircularFamily>&&, const Context&);
 
 using CircularArrangement = Arrangement<CircularFamily>;
 

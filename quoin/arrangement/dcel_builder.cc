@@ -64,8 +64,10 @@ void DcelBuilder::set_origins(std::uint32_t vertex, std::span<const HalfedgeId> 
 DcelBuilder::Result DcelBuilder::finish(SideKinds kinds, bool has_unbounded_face) {
   kinds_ = kinds;
   has_unbounded_face_ = has_unbounded_face;
-  merged_into_.resize(event_count_);
-  std::iota(merged_into_.begin(), merged_into_.end(), 0U);
+  if (!sides_.empty()) {
+    merged_into_.resize(event_count_);
+    std::iota(merged_into_.begin(), merged_into_.end(), 0U);
+  }
   if (kinds.left == SideKind::infinite) join_infinite_sides();
   if (kinds.bottom == SideKind::contracted) join_contracted_side(Side::bottom);
   if (kinds.top == SideKind::contracted) join_contracted_side(Side::top);
@@ -309,6 +311,11 @@ void DcelBuilder::hang_isolated_vertices() {
 /// Merged vertices go, fictitious ones move behind the real ones.
 DcelBuilder::Result DcelBuilder::number_vertices() {
   Result result;
+  if (sides_.empty()) {
+    result.dcel = std::move(dcel_);
+    *this = DcelBuilder();
+    return result;
+  }
   std::vector<VertexId> number(dcel_.vertices.size());
   std::vector<Vertex> vertices;
   vertices.reserve(dcel_.vertices.size());

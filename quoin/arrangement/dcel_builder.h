@@ -41,6 +41,7 @@ class DcelBuilder {
 
   struct Result {
     Dcel dcel;
+    /// By event; empty where every event is the vertex of its number, as without curves that reach a side.
     std::vector<VertexId> vertex_of_event;
   };
   /// The builder is empty afterwards.

@@ -8,5 +8,6 @@ namespace quoin {
 template class Sweep<GeodesicFamily>;
 template class Arrangement<GeodesicFamily>;
 template Arrangement<GeodesicFamily> arrange(GeodesicFamily, const PieceList<GeodesicFamily>&, const Context&);
+template Arrangement<GeodesicFamily> arrange(GeodesicFamily, PieceList<GeodesicFamily>&&, const Context&);
 
 }  // namespace quoin

@@ -10,6 +10,7 @@ namespace quoin {
 extern template class Sweep<GeodesicFamily>;
 extern template class Arrangement<GeodesicFamily>;
 extern template Arrangement<GeodesicFamily> arrange(GeodesicFamily, const PieceList<GeodesicFamily>&, const Context&);
+extern template Arrangement<GeodesicFamily> arrange(GeodesicFamily, PieceList<GeodesicFamily>&&, const Context&);
 
 using GeodesicArrangement = Arrangement<GeodesicFamily>;
 

@@ -8,5 +8,6 @@ namespace quoin {
 template class Sweep<LinearFamily>;
 template class Arrangement<LinearFamily>;
 template Arrangement<LinearFamily> arrange(LinearFamily, const PieceList<LinearFamily>&, const Context&);
+template Arrangement<LinearFamily> arrange(LinearFamily, PieceList<LinearFamily>&&, const Context&);
 
 }  // namespace quoin

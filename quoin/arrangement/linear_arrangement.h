@@ -12,6 +12,7 @@ static_assert(CurveFamily<LinearFamily>);
 extern template class Sweep<LinearFamily>;
 extern template class Arrangement<LinearFamily>;
 extern template Arrangement<LinearFamily> arrange(LinearFamily, const PieceList<LinearFamily>&, const Context&);
+extern template Arrangement<LinearFamily> arrange(LinearFamily, PieceList<LinearFamily>&&, const Context&);
 
 using LinearArrangement = Arrangement<LinearFamily>;
 

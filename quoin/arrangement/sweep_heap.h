@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -17,10 +19,11 @@ class SweepHeap {
  public:
   using Point = typename F::Point;
 
-  SweepHeap(const F& family, SweepStatus& status) : family_(family), status_(status) {}
+  SweepHeap(const F& family, SweepStatus& status)
+      : family_(family), status_(status), certain_gap_(2 * family.key_error()) {}
 
   bool is_empty() const { return heap_.empty(); }
-  std::uint32_t top() const { return heap_[0]; }
+  std::uint32_t top() const { return heap_[0].node; }
   const Point& point(std::uint32_t node) const { return points_[node]; }
   bool has(std::uint32_t node) const { return status_[node].heap_place != SweepStatus::none; }
 
@@ -28,42 +31,54 @@ class SweepHeap {
   void push(std::uint32_t node, const Point& point) {
     if (points_.size() < status_.capacity()) points_.resize(status_.capacity());
     points_[node] = point;
-    heap_.push_back(node);
+    heap_.push_back({family_.sweep_key(point), node});
     rise(heap_.size() - 1);
   }
   void remove(std::uint32_t node) {
     const std::size_t place = status_[node].heap_place;
     if (place == SweepStatus::none) return;
     status_[node].heap_place = SweepStatus::none;
-    const std::uint32_t last = heap_.back();
+    const Entry last = heap_.back();
     heap_.pop_back();
-    if (last == node) return;
+    if (last.node == node) return;
     heap_[place] = last;
-    status_[last].heap_place = static_cast<std::uint32_t>(place);
-    rise(place);
-    sink(status_[last].heap_place);
+    status_[last.node].heap_place = static_cast<std::uint32_t>(place);
+    if (place > 0 && is_before(last, heap_[(place - 1) / 4])) {
+      rise(place);
+    } else {
+      sink(place);
+    }
   }
 
  private:
-  bool is_before(std::uint32_t a, std::uint32_t b) const {
-    return family_.compare_xy(points_[a], points_[b]) == Sign::negative;
+  /// The rounded key stands beside the node, so that most comparisons stay within the heap.
+  struct Entry {
+    double key;
+    std::uint32_t node;
+  };
+
+  bool is_before(const Entry& a, const Entry& b) const {
+    const double gap = a.key - b.key;
+    if (std::fabs(gap) > std::max(certain_gap_, 0x1p-44 * std::fabs(a.key))) [[likely]]
+      return gap < 0;
+    return family_.compare_xy(points_[a.node], points_[b.node]) == Sign::negative;
   }
-  void set(std::size_t place, std::uint32_t node) {
-    heap_[place] = node;
-    status_[node].heap_place = static_cast<std::uint32_t>(place);
+  void set(std::size_t place, const Entry& entry) {
+    heap_[place] = entry;
+    status_[entry.node].heap_place = static_cast<std::uint32_t>(place);
   }
   void rise(std::size_t place) {
-    const std::uint32_t node = heap_[place];
+    const Entry entry = heap_[place];
     while (place > 0) {
       const std::size_t parent = (place - 1) / 4;
-      if (!is_before(node, heap_[parent])) break;
+      if (!is_before(entry, heap_[parent])) break;
       set(place, heap_[parent]);
       place = parent;
     }
-    set(place, node);
+    set(place, entry);
   }
   void sink(std::size_t place) {
-    const std::uint32_t node = heap_[place];
+    const Entry entry = heap_[place];
     for (;;) {
       const std::size_t first = 4 * place + 1;
       if (first >= heap_.size()) break;
@@ -71,16 +86,17 @@ class SweepHeap {
       for (std::size_t child = first + 1; child < std::min(first + 4, heap_.size()); ++child) {
         if (is_before(heap_[child], heap_[least])) least = child;
       }
-      if (!is_before(heap_[least], node)) break;
+      if (!is_before(heap_[least], entry)) break;
       set(place, heap_[least]);
       place = least;
     }
-    set(place, node);
+    set(place, entry);
   }
 
   const F& family_;
   SweepStatus& status_;
-  std::vector<std::uint32_t> heap_;
+  double certain_gap_;  // of two keys, beyond which they order like the points
+  std::vector<Entry> heap_;
   std::vector<Point> points_;  // by node
 };
 
