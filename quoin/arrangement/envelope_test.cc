@@ -34,10 +34,11 @@ double pick(Random& random, unsigned size) {
   return static_cast<double>(random() % size);
 }
 
-/// A number that is a small integer, or off one by almost nothing.
+/// A small integer, or off one by almost nothing.
 double pick_close(Random& random, unsigned size) {
   const double value = pick(random, size);
-  return random() % 3 == 0 ? std::nextafter(value, random() % 2 == 0 ? -1 : 100) : value;
+  if (random() % 3 != 0) return value;
+  return value == 0 ? 0x1p-60 : std::nextafter(value, random() % 2 == 0 ? -1 : 100);
 }
 
 void add_linear(LinearScene& scene, Random& random, const Point2& a, const Point2& b) {
@@ -138,7 +139,7 @@ TEST(Envelope, OfCirclesArcsAndSegmentsAgreesWithItsDefinition) {
     if (HasFatalFailure()) return;
   }
   EXPECT_GT(cases.gaps, 50U);
-  EXPECT_GT(cases.overlaps, 100U);
+  EXPECT_GT(cases.overlaps, 50U);
   EXPECT_GT(cases.touches, 30U);
   EXPECT_GT(cases.common_points, 50U);
   EXPECT_GT(cases.jumps, 30U);
