@@ -154,6 +154,13 @@ void add_planar(CLI::App& app, Options& options) {
   polygon->add_option("--flatten", options.flatten, "chords no further than this from arcs, where a format has no arcs")
       ->check(finite_number(false));
   polygon->add_flag("--plain", options.plain, "without regularization: edges and points without area stay");
+  CLI::App* envelope = add_command(app, options, "envelope", "the lowest, or highest, of curves over every x");
+  add_drawings(*envelope, options);
+  add_pictures(*envelope, options, "wkt geojson dxf, ");
+  envelope->add_flag("--upper", options.upper, "the highest points instead of the lowest");
+  envelope
+      ->add_option("--flatten", options.flatten, "chords no further than this from arcs, where a format has no arcs")
+      ->check(finite_number(false));
 }
 
 void add_commands(CLI::App& app, Options& options) {

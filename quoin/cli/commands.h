@@ -20,6 +20,7 @@ int run_interfere(const Options& options, const Context& context);
 int run_arrange(const Options& options, const Context& context);
 int run_overlay(const Options& options, const Context& context);
 int run_locate(const Options& options, const Context& context);
+int run_envelope(const Options& options, const Context& context);
 int run_polygon(const Options& options, const Context& context);
 int run_view(const Options& options, const Context& context);
 

@@ -43,6 +43,7 @@ int run(const Options& options) {
                                                {"overlay", run_overlay},
                                                {"locate", run_locate},
                                                {"polygon", run_polygon},
+                                               {"envelope", run_envelope},
                                                {"classify", run_classify},
                                                {"section", run_section},
                                                {"interfere", run_interfere}};
