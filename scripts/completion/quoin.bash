@@ -2,7 +2,7 @@
 # Completion of quoin(1) for bash.
 _quoin() {
   local word="${COMP_WORDS[COMP_CWORD]}" previous="${COMP_WORDS[COMP_CWORD - 1]}"
-  local commands="union intersection difference xor csg info check repair convert view classify section interfere"
+  local commands="union intersection difference xor csg info check repair convert view classify section interfere envelope"
   local common="--json --threads --timeout --seed --weld -q --quiet -v --verbose -h --help"
   local makes="-o --output --format --accept-rounding"
   COMPREPLY=()
@@ -23,6 +23,7 @@ _quoin() {
       union | intersection | difference | xor | csg | repair | convert | view) options+=" $makes" ;;
       classify) options+=" --point --points --line" ;;
       section) options+=" --plane -o --output" ;;
+      envelope) options+=" -o --output --format --labels --upper --flatten" ;;
     esac
     mapfile -t COMPREPLY < <(compgen -W "$options" -- "$word")
     return
