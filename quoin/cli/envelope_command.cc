@@ -36,8 +36,9 @@ NamedEnvelope<F> find_envelope(std::span<const PlanarInput> inputs, const Option
     } catch (const InputError& error) {
       throw InputError(input.name + ": " + error.what());
     }
-    if (inputs.size() == 1) break;
-    for (std::size_t i = first; i < made.names.size(); ++i) made.names[i] = input.name + ": " + made.names[i];
+    if (inputs.size() > 1) {
+      for (std::size_t i = first; i < made.names.size(); ++i) made.names[i] = input.name + ": " + made.names[i];
+    }
   }
   made.envelope =
       options.upper ? upper_envelope(made.family, made.list, context) : lower_envelope(made.family, made.list, context);
