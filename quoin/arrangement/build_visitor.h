@@ -32,13 +32,13 @@ class BuildVisitor : public SweepVisitor<typename F::Point> {
       if (index < vertex_of_point_.size()) vertex_of_point_[index] = dcel::VertexId(std::size_t{event.vertex});
     }
     for (const std::uint32_t head : event.bundles) {
-      branches_.push_back(list_.pieces[head].branch);
-      uses_.clear();
-      for (std::uint32_t piece = head; piece != event.none; piece = event.next_in_bundle[piece]) {
-        uses_.emplace_back(list_.pieces[piece].curve, list_.pieces[piece].reversed);
+      const Piece& first = list_.pieces[head];
+      branches_.push_back(first.branch);
+      if (event.next_in_bundle[head] == event.none) {
+        history_.append_single(CurveUse(first.curve, first.reversed));
+      } else {
+        append_bundle(event, head);
       }
-      if (uses_.size() > 1) std::sort(uses_.begin(), uses_.end());
-      history_.append(uses_);
     }
     return true;
   }
@@ -59,6 +59,14 @@ class BuildVisitor : public SweepVisitor<typename F::Point> {
   }
 
  private:
+  void append_bundle(const SweepEvent<Point>& event, std::uint32_t head) {
+    uses_.clear();
+    for (std::uint32_t piece = head; piece != event.none; piece = event.next_in_bundle[piece]) {
+      uses_.emplace_back(list_.pieces[piece].curve, list_.pieces[piece].reversed);
+    }
+    std::sort(uses_.begin(), uses_.end());
+    history_.append(uses_);
+  }
   /// From events to vertices.
   void number_points(const dcel::DcelBuilder::Result& built) {
     std::vector<Point> points(built.dcel.vertices.size());

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "quoin/base/id.h"
+#include "quoin/base/large_vector.h"
 
 /// The cells of a subdivision of a surface and how they are joined, without any geometry.
 namespace quoin::dcel {
@@ -72,9 +73,9 @@ struct Face {
 /// append and leave dead cells behind.
 class Dcel {
  public:
-  std::vector<Halfedge> halfedges;
+  LargeVector<Halfedge> halfedges;
   std::vector<CellState> edges;
-  std::vector<Vertex> vertices;
+  LargeVector<Vertex> vertices;
   std::vector<Boundary> boundaries;
   std::vector<Face> faces;
   /// The face at the lower end of the left side of the parameter rectangle: of the plane, below and left of everything;

@@ -39,11 +39,10 @@ void DcelBuilder::add_event(const LinkEvent& event) {
 }
 
 void DcelBuilder::start_edges(std::uint32_t event, std::span<const std::uint32_t> edges) {
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    dcel_.edges.push_back(CellState::real);
-    dcel_.halfedges.emplace_back().origin = VertexId(std::size_t{event});
-    dcel_.halfedges.emplace_back();
-  }
+  const std::size_t first = dcel_.halfedges.size();
+  dcel_.edges.resize(dcel_.edges.size() + edges.size(), CellState::real);
+  dcel_.halfedges.resize(first + 2 * edges.size());
+  for (std::size_t i = 0; i < edges.size(); ++i) dcel_.halfedges[first + 2 * i].origin = VertexId(std::size_t{event});
 }
 
 /// The outgoing halfedges of a vertex, counterclockwise: what arrives along one leaves along the one before.
@@ -317,7 +316,7 @@ DcelBuilder::Result DcelBuilder::number_vertices() {
     return result;
   }
   std::vector<VertexId> number(dcel_.vertices.size());
-  std::vector<Vertex> vertices;
+  LargeVector<Vertex> vertices;
   vertices.reserve(dcel_.vertices.size());
   for (const CellState state : {CellState::real, CellState::fictitious}) {
     for (std::uint32_t v = 0; v < dcel_.vertices.size(); ++v) {

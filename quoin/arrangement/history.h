@@ -51,6 +51,7 @@ class CurveHistory {
 
   /// The next edge has these curves. An edge without curves is allowed (fictitious ones).
   void append(std::span<const CurveUse> curves) { uses_.push_back(stored(curves)); }
+  void append_single(CurveUse curve) { uses_.push_back(curve); }
   void assign(dcel::EdgeId edge, std::span<const CurveUse> curves);
 
  private:

@@ -29,6 +29,15 @@ class PointIncidences {
   std::vector<std::uint32_t> entries_;
 };
 
+struct KeyedPoint {
+  double key;
+  std::uint32_t point;
+  bool operator<(const KeyedPoint& other) const { return key != other.key ? key < other.key : point < other.point; }
+};
+
+/// By key, then point; the points come in order of their numbers. O(n).
+void sort_by_key(const Context& context, std::vector<KeyedPoint>& list);
+
 /// Indices of the points in lexicographic order; equal ones by index.
 ///
 /// Sorted by rounded keys first; where neighbours' keys are closer than their errors, by exact comparisons. O(n log n),
@@ -36,19 +45,14 @@ class PointIncidences {
 template <CurveFamily F>
 std::vector<std::uint32_t> sorted_points(const Context& context, const F& family,
                                          std::span<const typename F::Point> points) {
-  struct Keyed {
-    double key;
-    std::uint32_t point;
-    bool operator<(const Keyed& other) const { return key != other.key ? key < other.key : point < other.point; }
-  };
-  std::vector<Keyed> keyed(points.size());
+  std::vector<KeyedPoint> keyed(points.size());
   double largest = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     keyed[i] = {family.sweep_key(points[i]), static_cast<std::uint32_t>(i)};
     if (std::isfinite(keyed[i].key)) largest = std::max(largest, std::fabs(keyed[i].key));
   }
-  if (!std::is_sorted(keyed.begin(), keyed.end())) sort_parallel(context, keyed);
-  const auto is_before = [&](const Keyed& a, const Keyed& b) {
+  sort_by_key(context, keyed);
+  const auto is_before = [&](const KeyedPoint& a, const KeyedPoint& b) {
     const Sign order = family.compare_xy(points[a.point], points[b.point]);
     return order != Sign::zero ? order == Sign::negative : a.point < b.point;
   };

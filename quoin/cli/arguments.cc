@@ -135,6 +135,8 @@ void add_planar(CLI::App& app, Options& options) {
       add_command(app, options, "arrange", "what curves of the plane divide it into: vertices, edges, faces");
   add_drawings(*arrange, options);
   add_pictures(*arrange, options, "");
+  arrange->add_flag("--sphere", options.sphere,
+                    "curves on the sphere: a text with lines 'arc' and two directions, 'circle' and a normal, 'point'");
   CLI::App* overlay = add_command(app, options, "overlay", "several arrangements over one another, a file each");
   add_drawings(*overlay, options);
   add_pictures(*overlay, options, "");

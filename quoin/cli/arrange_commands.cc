@@ -192,6 +192,7 @@ int locate_with(std::span<const PlanarInput> inputs, std::vector<std::string>& w
 }  // namespace
 
 int run_arrange(const Options& options, const Context& context) {
+  if (options.sphere) return run_arrange_on_sphere(options, context);
   std::vector<std::string> warnings;
   const std::vector<PlanarInput> inputs = read_drawings(options, warnings, context);
   return any_arcs(inputs) ? arrange_with<CircularFamily>(inputs, warnings, options, context)

@@ -29,6 +29,7 @@ struct Options {
   std::optional<double> flatten;     ///< chords instead of arcs, no further than this from them
   bool plain = false;                ///< of `polygon`: edges and points without area stay
   bool labels = false;               ///< numbers in pictures
+  bool sphere = false;               ///< of `arrange`: curves on the sphere
   bool upper = false;                ///< of `envelope`
   bool json = false;
   bool quiet = false;

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdlib>
+#include <new>
+#include <vector>
+
+#if defined(__linux__)
+#include <sys/mman.h>
+#endif
+
+namespace quoin {
+
+/// Allocates blocks of megabytes on boundaries of huge pages and asks the system for such: touching fresh memory then
+/// costs a fraction. Smaller blocks are ordinary.
+template <class T>
+class LargeAllocator {
+ public:
+  using value_type = T;
+  LargeAllocator() = default;
+  template <class U>
+  LargeAllocator(const LargeAllocator<U>&) {}  // NOLINT(google-explicit-constructor)
+
+  T* allocate(std::size_t count) {
+    const std::size_t bytes = count * sizeof(T);
+    if (bytes < threshold) return static_cast<T*>(::operator new(bytes));
+    void* block = std::aligned_alloc(page, (bytes + page - 1) / page * page);
+    if (block == nullptr) throw std::bad_alloc();
+#if defined(__linux__)
+    // Whole pages only, so that no more memory is taken than asked for.
+    madvise(block, bytes / page * page, MADV_HUGEPAGE);
+#endif
+    return static_cast<T*>(block);
+  }
+  void deallocate(T* block, std::size_t count) {
+    if (count * sizeof(T) < threshold) {
+      ::operator delete(block);
+    } else {
+      std::free(block);
+    }
+  }
+  friend bool operator==(const LargeAllocator&, const LargeAllocator&) {
+    return true;
+  }
+
+ private:
+  static constexpr std::size_t page = std::size_t{1} << 21;
+  static constexpr std::size_t threshold = 2 * page;
+};
+
+/// For arrays that grow to millions of elements.
+template <class T>
+using LargeVector = std::vector<T, LargeAllocator<T>>;
+
+}  // namespace quoin
