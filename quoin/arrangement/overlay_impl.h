@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "quoin/arrangement/face_walk.h"
 #include "quoin/arrangement/overlay.h"
 #include "quoin/arrangement/superposition_impl.h"
 #include "quoin/base/error.h"
@@ -12,25 +11,108 @@
 /// Bodies of overlay.h, for the one source file per family that instantiates it.
 namespace quoin {
 
+namespace overlay_detail {
+
+/// For each face and source, the source's face around it. Edges tell those of the faces beside them; from there labels
+/// spread over edges of other sources, on both sides of which they are the same.
+template <CurveFamily F>
+class SourceFaces {
+ public:
+  SourceFaces(const Superposition<F>& drawn, std::span<const Arrangement<F>* const> sources)
+      : drawn_(drawn),
+        cells_(drawn.arrangement.cells()),
+        sources_(sources),
+        labels_(cells_.faces.size() * sources.size()) {}
+
+  std::vector<dcel::FaceId> run() {
+    for (std::size_t c = 0; c < sources_.size(); ++c) label(cells_.base_face, c) = sources_[c]->cells().base_face;
+    read_edges();
+    // Faces that lack a label ask their neighbours, and give what they get on to others that lack it.
+    for (std::size_t f = 0; f < cells_.faces.size(); ++f) {
+      const dcel::FaceId face(f);
+      if (!cells_.is_real(face)) continue;
+      if (take_from_neighbours(face)) spread_from(face);
+    }
+    return std::move(labels_);
+  }
+
+ private:
+  dcel::FaceId& label(dcel::FaceId f, std::size_t source) { return labels_[f.index() * sources_.size() + source]; }
+
+  void read_edges() {
+    for (std::size_t e = 0; e < cells_.edges.size(); ++e) {
+      if (cells_.edges[e] != dcel::CellState::real) continue;
+      const dcel::HalfedgeId above(dcel::EdgeId(e), false);
+      for (const CurveUse use : drawn_.arrangement.curves(dcel::EdgeId(e))) {
+        const auto [source, edge] = drawn_.source_of(use);
+        const dcel::Dcel& own = sources_[source]->cells();
+        label(cells_.face(above), source) = own.face(dcel::HalfedgeId(edge, false));
+        label(cells_.face(above.twin()), source) = own.face(dcel::HalfedgeId(edge, true));
+      }
+    }
+  }
+  template <class Call>
+  void for_each_neighbour(dcel::FaceId face, const Call& call) {
+    for (dcel::BoundaryId b = cells_[face].first_boundary; !b.is_none(); b = cells_[b].next) {
+      const dcel::HalfedgeId first = cells_[b].halfedge;
+      dcel::HalfedgeId h = first;
+      do {
+        if (cells_.is_real(h.edge())) call(cells_.face(h.twin()));
+        h = cells_.next(h);
+      } while (h != first);
+    }
+  }
+  bool is_complete(dcel::FaceId face) {
+    for (std::size_t c = 0; c < sources_.size(); ++c) {
+      if (label(face, c).is_none()) return false;
+    }
+    return true;
+  }
+  bool copy_missing(dcel::FaceId from, dcel::FaceId to) {
+    bool any = false;
+    for (std::size_t c = 0; c < sources_.size(); ++c) {
+      if (!label(to, c).is_none() || label(from, c).is_none()) continue;
+      label(to, c) = label(from, c);
+      any = true;
+    }
+    return any;
+  }
+  bool take_from_neighbours(dcel::FaceId face) {
+    if (is_complete(face)) return false;
+    bool any = false;
+    for_each_neighbour(face, [&](dcel::FaceId neighbour) { any = copy_missing(neighbour, face) || any; });
+    return any;
+  }
+  void spread_from(dcel::FaceId start) {
+    pending_.assign(1, start);
+    while (!pending_.empty()) {
+      const dcel::FaceId face = pending_.back();
+      pending_.pop_back();
+      for_each_neighbour(face, [&](dcel::FaceId neighbour) {
+        if (copy_missing(face, neighbour)) pending_.push_back(neighbour);
+      });
+    }
+  }
+
+  const Superposition<F>& drawn_;
+  const dcel::Dcel& cells_;
+  std::span<const Arrangement<F>* const> sources_;
+  std::vector<dcel::FaceId> labels_;
+  std::vector<dcel::FaceId> pending_;
+};
+
+template <CurveFamily F>
+std::vector<dcel::FaceId> source_faces(const Superposition<F>& drawn, std::span<const Arrangement<F>* const> sources) {
+  return SourceFaces<F>(drawn, sources).run();
+}
+
+}  // namespace overlay_detail
+
 template <CurveFamily F>
 Overlay<F>::Overlay(Superposition<F> superposition, std::span<const Arrangement<F>* const> sources)
     : first_edge_(superposition.first_edge), first_vertex_(superposition.first_vertex) {
   const Arrangement<F>& drawn = superposition.arrangement;
-  const std::size_t count = sources.size();
-  std::vector<dcel::FaceId> label(count);
-  for (std::size_t i = 0; i < count; ++i) label[i] = sources[i]->cells().base_face;
-  face_of_.resize(drawn.face_count() * count);
-  dcel::walk_faces(
-      drawn.cells(),
-      [&](dcel::HalfedgeId h) {  // into the face of the twin
-        for (const CurveUse use : drawn.curves(h.edge())) {
-          const auto [source, edge] = superposition.source_of(use);
-          label[source] = sources[source]->cells().face(dcel::HalfedgeId(edge, h.is_forward()));
-        }
-      },
-      [&](dcel::FaceId f) {
-        std::copy(label.begin(), label.end(), face_of_.begin() + static_cast<std::ptrdiff_t>(f.index() * count));
-      });
+  face_of_ = overlay_detail::source_faces(superposition, sources);
   for (std::size_t v = 0; v < superposition.vertex_of_source.size(); ++v) {
     const dcel::VertexId vertex = superposition.vertex_of_source[v];
     if (!vertex.is_none()) coincidences_.push_back({vertex.value, static_cast<std::uint32_t>(v)});
