@@ -140,6 +140,23 @@ class GeodesicFamily {
   std::vector<Vector3> flatten(BranchId b, const Point& left, const Point& right, double max_angle) const;
   std::size_t support_count() const { return supports_.size(); }
 
+  // Supports, branches and points by their definitions.
+
+  static std::uint32_t support(BranchId b) { return b.value / 2; }
+  static bool is_second_half(BranchId b) { return b.value % 2 != 0; }
+  static BranchId branch(std::uint32_t support, bool second_half) {
+    return BranchId(2 * std::size_t{support} + (second_half ? 1 : 0));
+  }
+  /// The support with this normal or the opposite one, new or known. @throws InputError on what is no direction
+  std::uint32_t add_circle(const SphereDirection& normal);
+  /// The point sign (n_a x n_b) of two supports; on the identification its left copy.
+  /// @throws InputError if it is the same support twice, or both pass through the poles
+  Point make_crossing(std::uint32_t a, std::uint32_t b, int sign) const;
+  /// Where a vertical branch ends at the bottom or top side.
+  Point make_pole_end(BranchId vertical, Side side);
+  /// The copy on the right side of a point on the left side; other points are returned as they are.
+  static Point right_copy(const Point& p) { return p.side == Side::left ? on_side(p, Side::right) : p; }
+
  private:
   struct Support {
     Vector3 normal;  ///< times a power of two: the largest component in [1/2, 1], each within a relative error of 2^-53
@@ -150,11 +167,6 @@ class GeodesicFamily {
   static constexpr double crossing_side_error = 0x1p-41;
   static constexpr double direction_side_error = 0x1p-49;
 
-  static std::uint32_t support(BranchId b) { return b.value / 2; }
-  static bool is_second_half(BranchId b) { return b.value % 2 != 0; }
-  static BranchId branch(std::uint32_t support, bool second_half) {
-    return BranchId(2 * std::size_t{support} + (second_half ? 1 : 0));
-  }
   static bool is_on_identification(const Vector3& v) { return v.x < 0 && v.y == 0; }
   static bool is_at_pole(const Vector3& v) { return v.x == 0 && v.y == 0; }
   static int level(const Point& p) { return p.side == Side::bottom ? -1 : p.side == Side::top ? 1 : 0; }

@@ -116,6 +116,23 @@ CurveId GeodesicFamily::add_point(PieceList<GeodesicFamily>& list, const SphereD
   return curve;
 }
 
+std::uint32_t GeodesicFamily::add_circle(const SphereDirection& normal) {
+  if (!normal.is_valid()) throw InputError("the normal is zero or not finite");
+  return add_support(is_canonical(normal) ? normal : -normal);
+}
+
+GeodesicFamily::Point GeodesicFamily::make_crossing(std::uint32_t a, std::uint32_t b, int sign) const {
+  if (a == b) throw InputError("a circle does not cross itself");
+  if (supports_[a].is_vertical && supports_[b].is_vertical) throw InputError("both circles pass through the poles");
+  const Point p = crossing(a, b);
+  return sign < 0 ? antipode(p) : p;
+}
+
+GeodesicFamily::Point GeodesicFamily::make_pole_end(BranchId vertical, Side side) {
+  const std::array<Integer, 3> n = normal(vertical);
+  return pole_end(std::array<Integer, 3>{-n[1], n[0], Integer()}, side);
+}
+
 /// Increasing longitude from left to right; the identification is crossed at most once.
 void GeodesicFamily::add_flat(const Tour& tour, const Point& from, const Point& to) {
   const BranchId b = branch(tour.support, false);

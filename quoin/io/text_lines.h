@@ -10,6 +10,12 @@
 
 namespace quoin::io {
 
+/// An InputError that names file and line.
+class LineError : public InputError {
+ public:
+  using InputError::InputError;
+};
+
 /// Lines of a text, ended by \n, \r\n or \r, split into words; comments start with a given character.
 class TextLines {
  public:
@@ -29,7 +35,7 @@ class TextLines {
 
   [[noreturn]] void fail(std::string_view what) const { fail_at(line_, what); }
   [[noreturn]] void fail_at(std::size_t line, std::string_view what) const {
-    throw InputError(name_ + ":" + std::to_string(line) + ": " + std::string(what));
+    throw LineError(name_ + ":" + std::to_string(line) + ": " + std::string(what));
   }
   double number(std::string_view word) const;
   std::int64_t integer(std::string_view word) const;

@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
+#include "quoin/arrangement/build_visitor.h"
+#include "quoin/base/error.h"
+#include "quoin/io/arrangement_text.h"
+#include "quoin/io/text_order.h"
+
+namespace quoin {
+
+namespace {
+
+using io::ExactLines;
+using io::FamilyText;
+using io::is_at_pole;
+
+/// Vertices and edges of a text, as a list for a sweep: piece k is edge k.
+template <CurveFamily F>
+struct TextCells {
+  F family;
+  PieceList<F> list;
+  std::vector<std::uint32_t> vertex_of_point;  ///< by point of the list
+  std::vector<std::vector<CurveUse>> uses;     ///< by edge
+  std::vector<std::size_t> vertex_lines;
+  std::vector<std::size_t> edge_lines;
+  std::vector<std::uint32_t> left_vertices;  ///< by edge
+};
+
+std::string named(const char* kind, std::size_t index) {
+  return kind + std::to_string(index);
+}
+
+[[noreturn]] void refuse_repeated(const ExactLines& lines, const std::vector<std::size_t>& vertex_lines,
+                                  std::uint32_t a, std::uint32_t b) {
+  lines.fail_at(vertex_lines[std::max(a, b)],
+                named("vertex ", std::min(a, b)) + " and " + named("vertex ", std::max(a, b)) + " are the same point");
+}
+
+/// Builds, and refuses whatever the text does not say: other vertices and edges than its own, in its order.
+template <CurveFamily F>
+class StrictVisitor : public BuildVisitor<F> {
+ public:
+  using Point = typename F::Point;
+  StrictVisitor(const TextCells<F>& cells, const ExactLines& lines)
+      : BuildVisitor<F>(cells.family, cells.list), cells_(cells), lines_(lines) {}
+
+  bool at_event(const SweepEvent<Point>& event) override {
+    const std::uint32_t vertex = vertex_of(event);
+    if (vertex == event.none) refuse_meeting(event);
+    if (vertex > next_vertex_) refuse_order(vertex);
+    next_vertex_ = std::max(next_vertex_, vertex + 1);
+    for (std::size_t i = 0; i < event.bundles.size(); ++i) {
+      const std::uint32_t edge = event.bundles[i];
+      const std::uint32_t other = event.next_in_bundle[edge];
+      if (other != event.none) {
+        lines_.fail_at(cells_.edge_lines[edge], named("edge ", edge) + " overlaps " + named("edge ", other));
+      }
+      if (cells_.left_vertices[edge] != vertex) {
+        lines_.fail_at(cells_.edge_lines[edge], named("edge ", edge) + " passes through " + named("vertex ", vertex));
+      }
+      if (edge != event.right[i]) {
+        lines_.fail_at(cells_.edge_lines[edge], named("edge ", edge) + " is not where its order is: it is number " +
+                                                    std::to_string(event.right[i]));
+      }
+    }
+    return BuildVisitor<F>::at_event(event);
+  }
+
+ private:
+  /// The text's vertex at the event; none at a crossing.
+  std::uint32_t vertex_of(const SweepEvent<Point>& event) const {
+    std::uint32_t vertex = event.none;
+    for (const std::uint32_t index : event.known) {
+      if (index >= cells_.vertex_of_point.size()) continue;
+      const std::uint32_t here = cells_.vertex_of_point[index];
+      if (vertex != event.none && here != vertex) {
+        refuse_repeated(lines_, cells_.vertex_lines, here, vertex);
+      }
+      vertex = here;
+    }
+    return vertex;
+  }
+
+  [[noreturn]] void refuse_order(std::uint32_t vertex) const {
+    lines_.fail_at(cells_.vertex_lines[vertex],
+                   named("vertex ", vertex) + " is out of order: it lies before " + named("vertex ", next_vertex_));
+  }
+
+  [[noreturn]] void refuse_meeting(const SweepEvent<Point>& event) const {
+    const std::uint32_t a = event.left.empty() ? 0 : event.left.front();
+    const std::uint32_t b = event.left.empty() ? 0 : event.left.back();
+    lines_.fail_at(cells_.edge_lines[std::max(a, b)], named("edge ", std::min(a, b)) + " and " +
+                                                          named("edge ", std::max(a, b)) + " meet where no vertex is");
+  }
+
+  const TextCells<F>& cells_;
+  const ExactLines& lines_;
+  std::uint32_t next_vertex_ = 0;
+};
+
+template <CurveFamily F>
+class Reader {
+ public:
+  using Point = typename F::Point;
+  Reader(ExactLines& lines, const Context& context) : lines_(lines), context_(context) {}
+
+  ArrangementText<F> run() {
+    ArrangementText<F> result;
+    lines_.expect("curves", 2);
+    cells_.list.curve_count = lines_.index(1, std::size_t{1} << 31);
+    if (lines_.choice("names", "no", "yes")) read_names(result.names);
+    const std::size_t supports = section("supports");
+    for (std::size_t i = 0; i < supports; ++i) {
+      lines_.need("support " + std::to_string(i));
+      lines_.located([&] { FamilyText<F>::read_support(cells_.family, lines_); });
+    }
+    read_vertices();
+    read_edges();
+    close_vertices();
+    result.arrangement = build();
+    lines_.expect("faces", 2);
+    if (lines_.count(1) != result.arrangement.counts().faces) {
+      lines_.fail("the edges make " + std::to_string(result.arrangement.counts().faces) + " faces");
+    }
+    read_members(result);
+    lines_.expect_end();
+    return result;
+  }
+
+ private:
+  std::size_t section(std::string_view keyword) {
+    lines_.expect(keyword, 2);
+    return lines_.count(1);
+  }
+
+  void read_names(std::vector<std::string>& names) {
+    for (std::uint32_t i = 0; i < cells_.list.curve_count; ++i) {
+      lines_.expect_at_least("name", 1);
+      lines_.expect_size(2);
+      names.push_back(lines_.words().size() > 1 ? io::decoded_name(lines_.words()[1]) : "");
+    }
+  }
+
+  void read_vertices() {
+    const std::size_t count = section("vertices");
+    for (std::size_t i = 0; i < count; ++i) {
+      lines_.need("vertex " + std::to_string(i));
+      vertices_.push_back(lines_.located([&] { return FamilyText<F>::read_point(cells_.family, lines_); }));
+      cells_.vertex_lines.push_back(lines_.line());
+    }
+    is_used_.assign(count, false);
+    point_of_vertex_.assign(count, none);
+  }
+
+  void read_edges() {
+    const std::size_t count = section("edges");
+    for (std::size_t i = 0; i < count; ++i) {
+      lines_.expect_at_least("edge", 4);
+      const BranchId branch = FamilyText<F>::read_branch(cells_.family, lines_.words()[1], lines_);
+      const std::uint32_t left = lines_.index(2, vertices_.size());
+      const std::uint32_t right = lines_.index(3, vertices_.size());
+      add_edge(branch, left, right);
+      read_uses();
+      cells_.edge_lines.push_back(lines_.line());
+    }
+  }
+
+  void add_edge(BranchId branch, std::uint32_t left, std::uint32_t right) {
+    F& family = cells_.family;
+    const std::array<Point, 2> ends = FamilyText<F>::ends_on(family, branch, vertices_[left], vertices_[right]);
+    for (const bool is_right : {false, true}) {
+      if (FamilyText<F>::lies_on(family, ends[is_right ? 1 : 0], branch)) continue;
+      lines_.fail("its " + std::string(is_right ? "right" : "left") + " end does not lie on it");
+    }
+    if (family.compare_xy(ends[0], ends[1]) != Sign::negative) lines_.fail("its left end is not before its right end");
+    const std::uint32_t first = point_for(left, ends[0]);
+    const std::uint32_t second = point_for(right, ends[1]);
+    cells_.list.pieces.push_back({branch, first, second, CurveId(cells_.list.pieces.size()), false});
+    cells_.left_vertices.push_back(left);
+  }
+
+  /// The vertex' own point, or another copy of it.
+  std::uint32_t point_for(std::uint32_t vertex, const Point& end) {
+    is_used_[vertex] = true;
+    if (is_at_pole(end) || cells_.family.side(end) != cells_.family.side(vertices_[vertex])) {
+      return add_point(vertex, end);
+    }
+    return own_point(vertex);
+  }
+  std::uint32_t own_point(std::uint32_t vertex) {
+    std::uint32_t& point = point_of_vertex_[vertex];
+    if (point == none) point = add_point(vertex, vertices_[vertex]);
+    return point;
+  }
+  std::uint32_t add_point(std::uint32_t vertex, const Point& point) {
+    cells_.vertex_of_point.push_back(vertex);
+    return cells_.list.add_point(point);
+  }
+
+  /// Words +C and -C: curve C runs along the edge, or against it.
+  void read_uses() {
+    std::vector<CurveUse> uses;
+    for (std::size_t i = 4; i < lines_.words().size(); ++i) {
+      const std::string_view word = lines_.words()[i];
+      const bool is_signed = word.size() > 1 && (word[0] == '+' || word[0] == '-') && word[1] >= '0' && word[1] <= '9';
+      if (!is_signed) lines_.fail(io::quoted(word) + " is no curve with a sign");
+      const std::uint32_t curve = lines_.index(word.substr(1), cells_.list.curve_count);
+      uses.emplace_back(CurveId(std::size_t{curve}), word[0] == '-');
+      if (uses.size() > 1 && uses[uses.size() - 2] >= uses.back()) lines_.fail("its curves are not in order");
+    }
+    cells_.uses.push_back(std::move(uses));
+  }
+
+  /// Vertices that no edge ends at are isolated; also, every point on the identification has its left copy.
+  void close_vertices() {
+    for (std::uint32_t v = 0; v < vertices_.size(); ++v) {
+      if (is_used_[v]) {
+        if (!is_at_pole(vertices_[v])) own_point(v);
+        continue;
+      }
+      const Side side = cells_.family.side(vertices_[v]);
+      if (!IdentifiedFamily<F> && side != Side::interior) {
+        lines_.fail_at(cells_.vertex_lines[v], "no edge ends at this end of a line");
+      }
+      cells_.list.lone_points.push_back({own_point(v), CurveId(std::size_t{0})});
+    }
+  }
+
+  Arrangement<F> build() {
+    const std::uint32_t curve_count = cells_.list.curve_count;
+    StrictVisitor<F> visitor(cells_, lines_);
+    Sweep<F>(cells_.family, cells_.list, {}, {}, visitor, context_).run();
+    Arrangement<F> made = visitor.finish(cells_.family);
+    require_distinct_vertices(made, visitor.vertex_of_point());
+    CurveHistory history;
+    for (std::size_t e = 0; e < made.edge_count(); ++e) {
+      history.append(e < cells_.uses.size() ? std::span<const CurveUse>(cells_.uses[e]) : std::span<const CurveUse>());
+    }
+    made.set_history(std::move(history), curve_count);
+    return made;
+  }
+
+  /// The sweep tells no two ends at one pole as one vertex; the arrangement does.
+  void require_distinct_vertices(const Arrangement<F>& made, const std::vector<dcel::VertexId>& vertex_of_point) const {
+    std::vector<std::uint32_t> given(made.vertex_count(), std::uint32_t{none});
+    for (std::size_t i = 0; i < cells_.vertex_of_point.size(); ++i) {
+      const std::uint32_t vertex = cells_.vertex_of_point[i];
+      std::uint32_t& other = given[vertex_of_point[i].index()];
+      if (other != none && other != vertex) refuse_repeated(lines_, cells_.vertex_lines, other, vertex);
+      other = vertex;
+    }
+  }
+
+  void read_members(ArrangementText<F>& result) {
+    const Arrangement<F>& a = result.arrangement;
+    lines_.expect("members", 2);
+    if (lines_.words()[1] == "none") return;
+    const std::size_t count = lines_.count(1);
+    const io::TextOrder<F> order = io::text_order(a);
+    std::vector<bool> faces(a.face_count(), false);
+    enum Kind : std::uint8_t { face, edge, vertex };
+    Kind last_kind = face;
+    std::int64_t last = -1;
+    std::vector<std::pair<std::uint32_t, bool>> exceptions[3];
+    for (std::size_t i = 0; i < count; ++i) {
+      lines_.need("a member");
+      const std::string_view word = lines_.words()[0];
+      const Kind kind = word == "face" ? face : word == "edge" ? edge : vertex;
+      if (kind == vertex && word != "vertex") lines_.fail(io::quoted(word) + " is neither face, edge nor vertex");
+      const std::size_t bound = kind == face   ? order.faces.size()
+                                : kind == edge ? order.edges.size()
+                                               : vertices_.size();
+      const std::uint32_t index = lines_.index(1, bound);
+      if (lines_.words().size() < 3) lines_.fail("the line is too short");
+      lines_.expect_size(3);
+      const bool is_in = lines_.words()[2] == "in";
+      if (!is_in && (kind == face || lines_.words()[2] != "out")) {
+        lines_.fail(io::quoted(lines_.words()[2]) + " is neither 'in' nor 'out'");
+      }
+      if (kind < last_kind || (kind == last_kind && index <= last)) lines_.fail("members are not in order");
+      last_kind = kind;
+      last = index;
+      if (kind == vertex && !a.cells().is_real(order.vertices[index])) lines_.fail("an end at infinity is no member");
+      exceptions[kind].emplace_back(index, is_in);
+    }
+    for (const auto& [index, is_in] : exceptions[face]) faces[order.faces[index].index()] = is_in;
+    CellMembers members = io::closed_members(a, std::move(faces));
+    const auto apply = [&](Kind kind, const auto& ids, std::vector<bool>& bits) {
+      for (const auto& [index, is_in] : exceptions[kind]) {
+        if (bits[ids[index].index()] == is_in) lines_.fail("a member is named that follows from the faces");
+        bits[ids[index].index()] = is_in;
+      }
+    };
+    apply(edge, order.edges, members.edges);
+    apply(vertex, order.vertices, members.vertices);
+    result.members = std::move(members);
+  }
+
+  static constexpr std::uint32_t none = 0xFFFFFFFFU;
+  ExactLines& lines_;
+  const Context& context_;
+  TextCells<F> cells_;
+  std::vector<Point> vertices_;
+  std::vector<bool> is_used_;
+  std::vector<std::uint32_t> point_of_vertex_;
+};
+
+}  // namespace
+
+bool is_arrangement_text(std::string_view text) {
+  return io::first_word(text) == "quoin-arrangement";
+}
+
+AnyArrangementText read_arrangement_text(std::string_view text, const std::string& name, const Context& context) {
+  ExactLines lines(text, name);
+  lines.expect("quoin-arrangement", 3);
+  if (lines.words()[1] != "1") lines.fail("this version of the format is not known");
+  const std::string_view family = lines.words()[2];
+  if (family == FamilyText<LinearFamily>::name) return Reader<LinearFamily>(lines, context).run();
+  if (family == FamilyText<CircularFamily>::name) return Reader<CircularFamily>(lines, context).run();
+  if (family == FamilyText<GeodesicFamily>::name) return Reader<GeodesicFamily>(lines, context).run();
+  lines.fail(io::quoted(family) + " is no family of curves (linear, circular, geodesic)");
+}
+
+}  // namespace quoin
