@@ -68,18 +68,15 @@ void expect_round_trip(const Arrangement<F>& a, std::span<const std::string> nam
 /// A set with members drawn at random.
 template <class F>
 PolygonSet<F> random_set(Random& random, const Arrangement<F>& a) {
-  const auto bits = [&](std::size_t count) {
+  const auto bits = [&]<class Id>(std::size_t count, Id) {
     const auto weight = 1 + random() % 4;
     std::vector<bool> result(count);
-    for (std::size_t i = 0; i < count; ++i) result[i] = random() % weight == 0;
+    for (std::size_t i = 0; i < count; ++i) result[i] = a.cells().is_real(Id(i)) && random() % weight == 0;
     return result;
   };
-  std::vector<bool> vertices = bits(a.vertex_count());
-  for (std::size_t v = 0; v < vertices.size(); ++v) {
-    if (!a.cells().is_real(dcel::VertexId(v))) vertices[v] = false;
-  }
-  std::vector<bool> edges = bits(a.edge_count());
-  return PolygonSet<F>(a, std::move(vertices), std::move(edges), bits(a.face_count()));
+  std::vector<bool> vertices = bits(a.vertex_count(), dcel::VertexId());
+  std::vector<bool> edges = bits(a.edge_count(), dcel::EdgeId());
+  return PolygonSet<F>(a, std::move(vertices), std::move(edges), bits(a.face_count(), dcel::FaceId()));
 }
 
 template <class F>
