@@ -70,6 +70,7 @@ class GeodesicFamily {
   struct Shift {
     std::vector<std::uint32_t> supports;
     std::vector<std::uint32_t> directions;
+    std::vector<std::uint8_t> tiers;  ///< of the supports as they are kept here, perhaps by longer normals
   };
 
   // Input curves. All throw InputError naming the curve, without having added anything, for vectors that are zero or

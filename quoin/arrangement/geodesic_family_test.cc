@@ -293,6 +293,39 @@ TEST(GeodesicFamily, RightCopiesHaveLeftCopies) {
   });
 }
 
+// A plane that both families have keeps the normal of the one that absorbs, whose integers may be longer: exact
+// arithmetic on the other one's points needs more words then.
+TEST(GeodesicFamily, AbsorbedPointsMayNeedLongerNumbers) {
+  for (unsigned scale = 1; scale < 500; scale += 13) {
+    SCOPED_TRACE(scale);
+    Integer factor(1);
+    factor <<= scale;
+    factor = factor + Integer(1);
+    GeodesicFamily a;
+    GeodesicFamily b;
+    std::vector<Point> points;
+    for (int i = 0; i < 4; ++i) {
+      const std::array<Integer, 3> n{Integer(3 * i - 5), Integer(7 - i * i), Integer(i + 1)};
+      a.add_circle(std::array<Integer, 3>{n[0] * factor, n[1] * factor, n[2] * factor});
+      b.add_circle(n);
+    }
+    for (std::uint32_t i = 0; i < 3; ++i) points.push_back(b.make_crossing(i, i + 1, i % 2 == 0 ? 1 : -1));
+    const GeodesicFamily::Shift shift = a.absorb(b);
+    ASSERT_EQ(a.support_count(), 4U);
+    for (const Point& p : points) {
+      const Point moved = GeodesicFamily::shifted(p, shift);
+      const Point made = a.make_crossing(p.first, p.second, p.sign);
+      ASSERT_EQ(a.compare_xy(moved, made), Sign::zero);
+      const Point given = a.make_point(b.direction(p));
+      ASSERT_EQ(a.compare_xy(moved, given), Sign::zero);
+      for (std::uint32_t i = 0; i < 4; ++i) {
+        const BranchId branch = GeodesicFamily::branch(i, false);
+        ASSERT_EQ(a.compare_y_at_x(moved, branch), b.compare_y_at_x(p, branch));
+      }
+    }
+  }
+}
+
 TEST(GeodesicFamily, AbsorbedPointsAndBranchesAreTheSame) {
   for (const Draw draw : all_draws) {
     for (std::uint64_t seed = 0; seed < 4; ++seed) {

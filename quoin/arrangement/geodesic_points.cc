@@ -246,6 +246,7 @@ GeodesicFamily::Shift GeodesicFamily::absorb(const GeodesicFamily& other) {
   for (std::size_t i = 0; i < count; ++i) {
     normals_.append(other.normals_, static_cast<std::uint32_t>(i));
     shift.supports.push_back(settle_support(Support(other.supports_[i])));
+    shift.tiers.push_back(supports_[shift.supports.back()].tier);
   }
   shift.directions = directions_.absorb(other.directions_);
   return shift;
@@ -259,6 +260,7 @@ GeodesicFamily::Point GeodesicFamily::shifted(const Point& p, const Shift& shift
   }
   q.first = shift.supports[p.first];
   q.second = shift.supports[p.second];
+  q.tier = std::max(shift.tiers[p.first], shift.tiers[p.second]);
   if (q.first > q.second) {
     std::swap(q.first, q.second);
     q.sign = static_cast<std::int8_t>(-q.sign);
