@@ -95,4 +95,15 @@ inline bool is_at_pole(const GeodesicFamily::Point& p) {
   return p.side == Side::bottom || p.side == Side::top;
 }
 
+/// Rough order of vertices, where a point may be a lone pole, whatever longitude it has: that is met with u = -pi,
+/// below or above all others there.
+template <class Point>
+int rank_of(const Point&, bool /*is_lone*/) {
+  return 0;
+}
+inline int rank_of(const GeodesicFamily::Point& p, bool is_lone) {
+  if (is_lone && is_at_pole(p)) return p.side == Side::bottom ? 0 : 2;
+  return p.column < 0 ? 1 : 3;
+}
+
 }  // namespace quoin::io

@@ -70,7 +70,11 @@ TextOrder<F> text_order(const Arrangement<F>& a) {
   }
   const std::vector<typename F::Point> places = first_places(a);
   const auto vertex_before = [&](dcel::VertexId v, dcel::VertexId w) {
-    return family.compare_xy(places[v.index()], places[w.index()]) == Sign::negative;
+    const auto& p = places[v.index()];
+    const auto& q = places[w.index()];
+    const int p_rank = rank_of(p, a.cells().is_isolated(v));
+    const int q_rank = rank_of(q, a.cells().is_isolated(w));
+    return p_rank != q_rank ? p_rank < q_rank : family.compare_xy(p, q) == Sign::negative;
   };
   const auto edge_before = [&](dcel::EdgeId e, dcel::EdgeId f) {
     const Sign ends = family.compare_xy(a.left_point(e), a.left_point(f));
