@@ -9,6 +9,7 @@
 #include "fuzz/promise.h"
 #include "fuzz/targets.h"
 #include "quoin/base/error.h"
+#include "quoin/io/arrangement_text.h"
 #include "quoin/io/exact_text.h"
 #include "quoin/io/mesh_file.h"
 #include "quoin/solid/check.h"
@@ -64,6 +65,27 @@ void read_exact(std::span<const std::uint8_t> bytes) {
     write_exact_text(second, read_exact_text(first.str(), "again.qsolid"));
     require(first.str() == second.str(), "exact text is the same after another round");
     if (boundary.face_count() < 50) (void)check_boundary(boundary, 10, context);
+  } catch (const InputError&) {
+  }
+}
+
+void read_arrangement(std::span<const std::uint8_t> bytes) {
+  const Context context({.threads = 1});
+  try {
+    const auto written = [](const auto& read) {
+      std::ostringstream out;
+      if (read.members) {
+        write_arrangement_text(out, *read.set(), read.names);
+      } else {
+        write_arrangement_text(out, read.arrangement, read.names);
+      }
+      return out.str();
+    };
+    const AnyArrangementText any = read_arrangement_text(text_of(bytes), "input.qarr", context);
+    std::visit([](const auto& read) { dcel::check_links(read.arrangement.cells()); }, any);
+    const std::string first = std::visit(written, any);
+    const std::string second = std::visit(written, read_arrangement_text(first, "again.qarr", context));
+    require(first == second, "exact text of an arrangement is the same after another round");
   } catch (const InputError&) {
   }
 }

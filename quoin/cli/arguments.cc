@@ -116,9 +116,10 @@ void add_queries(CLI::App& app, Options& options) {
 }
 
 void add_pictures(CLI::App& command, Options& options, const std::string& formats) {
-  add_repeatable(command, "-o,--output", options.outputs,
-                 "file to write, format by its ending: " + formats +
-                     "svg (a picture), html (a page to look into it); '-' for standard output; may be repeated");
+  add_repeatable(
+      command, "-o,--output", options.outputs,
+      "file to write, format by its ending: " + formats +
+          "svg (a picture), html (a page to look into it), qarr (exact); '-' for standard output; may be repeated");
   command.add_option("--format", options.format, "format of standard output: an ending without its dot");
   command.add_flag("--labels", options.labels, "numbers of cells in pictures");
 }

@@ -10,6 +10,7 @@
 #include "quoin/arrangement/linear_polygon_set.h"
 #include "quoin/cli/commands.h"
 #include "quoin/cli/coordinates.h"
+#include "quoin/cli/exact_targets.h"
 #include "quoin/cli/inputs.h"
 #include "quoin/cli/planar.h"
 #include "quoin/cli/planar_pictures.h"
@@ -68,6 +69,7 @@ int arrange_with(std::span<const PlanarInput> inputs, std::vector<std::string>& 
   Json json = as_json(counts);
   json["curves"] = made.arrangement.curve_count();
   write_pictures(made.arrangement, made.names, {}, options);
+  write_exact_targets(made.arrangement, made.names, options);
   print_report(std::move(json), as_text(counts), warnings, options);
   return 0;
 }
@@ -123,6 +125,7 @@ int overlay_with(std::span<const PlanarInput> inputs, std::vector<std::string>& 
     return label;
   };
   write_pictures(all.arrangement(), names, face_label, options);
+  write_exact_targets(all.arrangement(), names, options);
   print_report(std::move(json), as_text(counts), warnings, options);
   return 0;
 }
@@ -185,6 +188,7 @@ int locate_with(std::span<const PlanarInput> inputs, std::vector<std::string>& w
     json["points"].push_back(std::move(one));
   }
   write_pictures(arrangement, names, {}, options);
+  write_exact_targets(arrangement, names, options);
   print_report(std::move(json), text, warnings, options);
   return 0;
 }

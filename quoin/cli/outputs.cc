@@ -92,6 +92,7 @@ class OutputWriter {
         return write_triangles(target);
       case Target::Kind::drawing:
       case Target::Kind::planar:
+      case Target::Kind::planar_exact:
       case Target::Kind::picture:
       case Target::Kind::planar_page:
         break;

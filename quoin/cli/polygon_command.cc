@@ -6,6 +6,7 @@
 
 #include "quoin/arrangement/circular_shapes.h"
 #include "quoin/cli/commands.h"
+#include "quoin/cli/exact_targets.h"
 #include "quoin/cli/failure.h"
 #include "quoin/cli/planar.h"
 #include "quoin/cli/planar_pictures.h"
@@ -127,7 +128,8 @@ int report_set(const PolygonSet<F>& set, std::vector<std::string> warnings, Json
     out << ", area " << json["area"].template get<double>();
     text += out.str();
   }
-  if (!set.is_regular()) warnings.push_back("edges and points without area are shown in pictures only");
+  if (!set.is_regular())
+    warnings.push_back("edges and points without area are shown in pictures and kept in .qarr only");
   const std::vector<Target> targets = targets_of(options);
   if (std::any_of(targets.begin(), targets.end(),
                   [](const Target& target) { return target.kind == Target::Kind::planar; })) {
@@ -139,6 +141,7 @@ int report_set(const PolygonSet<F>& set, std::vector<std::string> warnings, Json
     write_drawings(drawn.drawing, options, warnings, context);
   }
   write_set_picture(set, options);
+  write_exact_targets(set, {}, options);
   print_report(std::move(json), text + "\n", warnings, options);
   return 0;
 }

@@ -37,13 +37,15 @@ Target planar_target(const std::string& name, const std::string& ending, const O
     target.kind = Target::Kind::planar_page;
   } else if (ending == ".svg") {
     target.kind = Target::Kind::picture;
+  } else if (ending == ".qarr" && options.command != "envelope") {
+    target.kind = Target::Kind::planar_exact;
   } else {
     const auto format = drawing_format_from_path("x" + ending);
     const bool writes_drawings = options.command == "polygon" || options.command == "envelope";
     if (!format || !writes_drawings) {
       throw UsageError((name == standard_stream ? "--format '" + ending.substr(1) + "'" : name + ": the ending") +
                        " tells no format that is written (" + (writes_drawings ? "wkt, geojson, dxf, " : "") +
-                       "svg, html)");
+                       "svg, html" + (options.command == "envelope" ? "" : ", qarr") + ")");
     }
     target.planar_format = *format;
   }
