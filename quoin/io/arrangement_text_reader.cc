@@ -251,6 +251,36 @@ class Reader {
     }
   }
 
+  enum Kind : std::uint8_t { face, edge, vertex };
+  struct MemberLine {
+    Kind kind = face;
+    std::uint32_t index = 0;
+    bool is_in = false;
+    std::size_t line = 0;
+    auto place() const { return std::pair(kind, index); }
+  };
+
+  MemberLine read_member(const io::TextOrder<F>& order) {
+    lines_.need("a member");
+    MemberLine member;
+    const std::string_view word = lines_.words()[0];
+    member.kind = word == "face" ? face : word == "edge" ? edge : vertex;
+    if (member.kind == vertex && word != "vertex") lines_.fail(io::quoted(word) + " is no face, edge or vertex");
+    const std::size_t bound = member.kind == face   ? order.faces.size()
+                              : member.kind == edge ? order.edges.size()
+                                                    : order.vertices.size();
+    member.index = lines_.index(1, bound);
+    if (lines_.words().size() < 3) lines_.fail("the line is too short");
+    lines_.expect_size(3);
+    member.is_in = lines_.words()[2] == "in";
+    if (!member.is_in && (member.kind == face || lines_.words()[2] != "out")) {
+      lines_.fail(io::quoted(lines_.words()[2]) +
+                  (member.kind == face ? " is not 'in'" : " is neither 'in' nor 'out'"));
+    }
+    member.line = lines_.line();
+    return member;
+  }
+
   void read_members(ArrangementText<F>& result) {
     const Arrangement<F>& a = result.arrangement;
     lines_.expect("members", 2);
@@ -258,41 +288,29 @@ class Reader {
     const std::size_t count = lines_.count(1);
     const io::TextOrder<F> order = io::text_order(a);
     std::vector<bool> faces(a.face_count(), false);
-    enum Kind : std::uint8_t { face, edge, vertex };
-    Kind last_kind = face;
-    std::int64_t last = -1;
-    std::vector<std::pair<std::uint32_t, bool>> exceptions[3];
+    std::vector<MemberLine> exceptions;
+    MemberLine last;
     for (std::size_t i = 0; i < count; ++i) {
-      lines_.need("a member");
-      const std::string_view word = lines_.words()[0];
-      const Kind kind = word == "face" ? face : word == "edge" ? edge : vertex;
-      if (kind == vertex && word != "vertex") lines_.fail(io::quoted(word) + " is neither face, edge nor vertex");
-      const std::size_t bound = kind == face   ? order.faces.size()
-                                : kind == edge ? order.edges.size()
-                                               : vertices_.size();
-      const std::uint32_t index = lines_.index(1, bound);
-      if (lines_.words().size() < 3) lines_.fail("the line is too short");
-      lines_.expect_size(3);
-      const bool is_in = lines_.words()[2] == "in";
-      if (!is_in && (kind == face || lines_.words()[2] != "out")) {
-        lines_.fail(io::quoted(lines_.words()[2]) + " is neither 'in' nor 'out'");
+      const MemberLine member = read_member(order);
+      if (i > 0 && member.place() <= last.place()) lines_.fail("members are not in order");
+      last = member;
+      if (member.kind == face) {
+        faces[order.faces[member.index].index()] = true;
+      } else {
+        exceptions.push_back(member);
       }
-      if (kind < last_kind || (kind == last_kind && index <= last)) lines_.fail("members are not in order");
-      last_kind = kind;
-      last = index;
-      if (kind == vertex && !a.cells().is_real(order.vertices[index])) lines_.fail("an end at infinity is no member");
-      exceptions[kind].emplace_back(index, is_in);
     }
-    for (const auto& [index, is_in] : exceptions[face]) faces[order.faces[index].index()] = is_in;
     CellMembers members = io::closed_members(a, std::move(faces));
-    const auto apply = [&](Kind kind, const auto& ids, std::vector<bool>& bits) {
-      for (const auto& [index, is_in] : exceptions[kind]) {
-        if (bits[ids[index].index()] == is_in) lines_.fail("a member is named that follows from the faces");
-        bits[ids[index].index()] = is_in;
+    for (const MemberLine& member : exceptions) {
+      const bool is_edge = member.kind == edge;
+      if (!is_edge && !a.cells().is_real(order.vertices[member.index])) {
+        lines_.fail_at(member.line, "an end at infinity is no member");
       }
-    };
-    apply(edge, order.edges, members.edges);
-    apply(vertex, order.vertices, members.vertices);
+      std::vector<bool>& bits = is_edge ? members.edges : members.vertices;
+      const std::size_t id = is_edge ? order.edges[member.index].index() : order.vertices[member.index].index();
+      if (bits[id] == member.is_in) lines_.fail_at(member.line, "a member is named that follows from the faces");
+      bits[id] = member.is_in;
+    }
     result.members = std::move(members);
   }
 
