@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
-#include "quoin/arrangement/build_visitor.h"
 #include "quoin/base/error.h"
 #include "quoin/io/arrangement_text.h"
+#include "quoin/io/strict_visitor.h"
 #include "quoin/io/text_order.h"
 
 namespace quoin {
@@ -13,90 +13,8 @@ namespace {
 using io::ExactLines;
 using io::FamilyText;
 using io::is_at_pole;
-
-/// Vertices and edges of a text, as a list for a sweep: piece k is edge k.
-template <CurveFamily F>
-struct TextCells {
-  F family;
-  PieceList<F> list;
-  std::vector<std::uint32_t> vertex_of_point;  ///< by point of the list
-  std::vector<std::vector<CurveUse>> uses;     ///< by edge
-  std::vector<std::size_t> vertex_lines;
-  std::vector<std::size_t> edge_lines;
-  std::vector<std::uint32_t> left_vertices;  ///< by edge
-};
-
-std::string named(const char* kind, std::size_t index) {
-  return kind + std::to_string(index);
-}
-
-[[noreturn]] void refuse_repeated(const ExactLines& lines, const std::vector<std::size_t>& vertex_lines,
-                                  std::uint32_t a, std::uint32_t b) {
-  lines.fail_at(vertex_lines[std::max(a, b)],
-                named("vertex ", std::min(a, b)) + " and " + named("vertex ", std::max(a, b)) + " are the same point");
-}
-
-/// Builds, and refuses whatever the text does not say: other vertices and edges than its own, in its order.
-template <CurveFamily F>
-class StrictVisitor : public BuildVisitor<F> {
- public:
-  using Point = typename F::Point;
-  StrictVisitor(const TextCells<F>& cells, const ExactLines& lines)
-      : BuildVisitor<F>(cells.family, cells.list), cells_(cells), lines_(lines) {}
-
-  bool at_event(const SweepEvent<Point>& event) override {
-    const std::uint32_t vertex = vertex_of(event);
-    if (vertex == event.none) refuse_meeting(event);
-    if (vertex > next_vertex_) refuse_order(vertex);
-    next_vertex_ = std::max(next_vertex_, vertex + 1);
-    for (std::size_t i = 0; i < event.bundles.size(); ++i) {
-      const std::uint32_t edge = event.bundles[i];
-      const std::uint32_t other = event.next_in_bundle[edge];
-      if (other != event.none) {
-        lines_.fail_at(cells_.edge_lines[edge], named("edge ", edge) + " overlaps " + named("edge ", other));
-      }
-      if (cells_.left_vertices[edge] != vertex) {
-        lines_.fail_at(cells_.edge_lines[edge], named("edge ", edge) + " passes through " + named("vertex ", vertex));
-      }
-      if (edge != event.right[i]) {
-        lines_.fail_at(cells_.edge_lines[edge], named("edge ", edge) + " is not where its order is: it is number " +
-                                                    std::to_string(event.right[i]));
-      }
-    }
-    return BuildVisitor<F>::at_event(event);
-  }
-
- private:
-  /// The text's vertex at the event; none at a crossing.
-  std::uint32_t vertex_of(const SweepEvent<Point>& event) const {
-    std::uint32_t vertex = event.none;
-    for (const std::uint32_t index : event.known) {
-      if (index >= cells_.vertex_of_point.size()) continue;
-      const std::uint32_t here = cells_.vertex_of_point[index];
-      if (vertex != event.none && here != vertex) {
-        refuse_repeated(lines_, cells_.vertex_lines, here, vertex);
-      }
-      vertex = here;
-    }
-    return vertex;
-  }
-
-  [[noreturn]] void refuse_order(std::uint32_t vertex) const {
-    lines_.fail_at(cells_.vertex_lines[vertex],
-                   named("vertex ", vertex) + " is out of order: it lies before " + named("vertex ", next_vertex_));
-  }
-
-  [[noreturn]] void refuse_meeting(const SweepEvent<Point>& event) const {
-    const std::uint32_t a = event.left.empty() ? 0 : event.left.front();
-    const std::uint32_t b = event.left.empty() ? 0 : event.left.back();
-    lines_.fail_at(cells_.edge_lines[std::max(a, b)], named("edge ", std::min(a, b)) + " and " +
-                                                          named("edge ", std::max(a, b)) + " meet where no vertex is");
-  }
-
-  const TextCells<F>& cells_;
-  const ExactLines& lines_;
-  std::uint32_t next_vertex_ = 0;
-};
+using io::StrictVisitor;
+using io::TextCells;
 
 template <CurveFamily F>
 class Reader {
@@ -246,14 +164,14 @@ class Reader {
     for (std::size_t i = 0; i < cells_.vertex_of_point.size(); ++i) {
       const std::uint32_t vertex = cells_.vertex_of_point[i];
       std::uint32_t& other = given[vertex_of_point[i].index()];
-      if (other != none && other != vertex) refuse_repeated(lines_, cells_.vertex_lines, other, vertex);
+      if (other != none && other != vertex) io::refuse_repeated(lines_, cells_.vertex_lines, other, vertex);
       other = vertex;
     }
   }
 
-  enum Kind : std::uint8_t { face, edge, vertex };
+  enum class Kind : std::uint8_t { face, edge, vertex };
   struct MemberLine {
-    Kind kind = face;
+    Kind kind = Kind::face;
     std::uint32_t index = 0;
     bool is_in = false;
     std::size_t line = 0;
@@ -264,18 +182,18 @@ class Reader {
     lines_.need("a member");
     MemberLine member;
     const std::string_view word = lines_.words()[0];
-    member.kind = word == "face" ? face : word == "edge" ? edge : vertex;
-    if (member.kind == vertex && word != "vertex") lines_.fail(io::quoted(word) + " is no face, edge or vertex");
-    const std::size_t bound = member.kind == face   ? order.faces.size()
-                              : member.kind == edge ? order.edges.size()
-                                                    : order.vertices.size();
+    member.kind = word == "face" ? Kind::face : word == "edge" ? Kind::edge : Kind::vertex;
+    if (member.kind == Kind::vertex && word != "vertex") lines_.fail(io::quoted(word) + " is no face, edge or vertex");
+    const std::size_t bound = member.kind == Kind::face   ? order.faces.size()
+                              : member.kind == Kind::edge ? order.edges.size()
+                                                          : order.vertices.size();
     member.index = lines_.index(1, bound);
     if (lines_.words().size() < 3) lines_.fail("the line is too short");
     lines_.expect_size(3);
     member.is_in = lines_.words()[2] == "in";
-    if (!member.is_in && (member.kind == face || lines_.words()[2] != "out")) {
+    if (!member.is_in && (member.kind == Kind::face || lines_.words()[2] != "out")) {
       lines_.fail(io::quoted(lines_.words()[2]) +
-                  (member.kind == face ? " is not 'in'" : " is neither 'in' nor 'out'"));
+                  (member.kind == Kind::face ? " is not 'in'" : " is neither 'in' nor 'out'"));
     }
     member.line = lines_.line();
     return member;
@@ -294,7 +212,7 @@ class Reader {
       const MemberLine member = read_member(order);
       if (i > 0 && member.place() <= last.place()) lines_.fail("members are not in order");
       last = member;
-      if (member.kind == face) {
+      if (member.kind == Kind::face) {
         faces[order.faces[member.index].index()] = true;
       } else {
         exceptions.push_back(member);
@@ -302,7 +220,7 @@ class Reader {
     }
     CellMembers members = io::closed_members(a, std::move(faces));
     for (const MemberLine& member : exceptions) {
-      const bool is_edge = member.kind == edge;
+      const bool is_edge = member.kind == Kind::edge;
       if (!is_edge && !a.cells().is_real(order.vertices[member.index])) {
         lines_.fail_at(member.line, "an end at infinity is no member");
       }
