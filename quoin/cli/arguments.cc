@@ -127,7 +127,7 @@ void add_pictures(CLI::App& command, Options& options, const std::string& format
 void add_drawings(CLI::App& command, Options& options) {
   command
       .add_option("files", options.inputs,
-                  "drawings: wkt, geojson, svg paths, dxf; '-' for standard input; or WKT itself")
+                  "drawings: wkt, geojson, svg paths, dxf; qarr; '-' for standard input; or WKT itself")
       ->required();
 }
 

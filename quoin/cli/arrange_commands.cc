@@ -36,7 +36,7 @@ NamedArrangement<F> arrange_drawings(std::span<const PlanarInput> inputs, const 
   NamedArrangement<F> result;
   for (const PlanarInput& input : inputs) {
     try {
-      add_curves(family, list, input.drawing, result.names);
+      add_input(family, list, input, result.names);
     } catch (const InputError& error) {
       throw InputError(input.name + ": " + error.what());
     }
@@ -165,7 +165,7 @@ int locate_with(std::span<const PlanarInput> inputs, std::vector<std::string>& w
   F family;
   PieceList<F> list;
   std::vector<std::string> names;
-  for (const PlanarInput& input : inputs) add_curves(family, list, input.drawing, names);
+  for (const PlanarInput& input : inputs) add_input(family, list, input, names);
   const std::vector<PlanarQuery> queries = queries_of(options);
   std::vector<typename F::Point> points;
   for (const PlanarQuery& query : queries) points.push_back(family.point(query.point));

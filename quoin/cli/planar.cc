@@ -29,14 +29,55 @@ bool is_wkt(const std::string& text) {
   return rest.find('(') != std::string::npos || rest.find("empty") != std::string::npos;
 }
 
-Drawing read_one(const std::string& input, const Context& context) {
-  DrawingReadOptions options;
-  if (input == standard_stream) return read_drawing(read_all(input), shown(input), options, context);
-  if (!std::filesystem::exists(input) && is_wkt(input)) {
-    options.format = DrawingFormat::wkt;
-    return read_drawing(input, "WKT argument", options, context);
+PlanarInput read_exact(const std::string& input, std::string_view text, const Context& context) {
+  PlanarInput read{shown(input), {}, read_arrangement_text(text, shown(input), context)};
+  if (std::holds_alternative<ArrangementText<GeodesicFamily>>(*read.exact)) {
+    throw InputError(read.name + ": an arrangement on the sphere is none of the plane");
   }
-  return read_drawing(std::filesystem::path(input), options, context);
+  return read;
+}
+
+PlanarInput read_one(const std::string& input, const Context& context) {
+  DrawingReadOptions options;
+  const bool is_stream = input == standard_stream;
+  if (!is_stream && !std::filesystem::exists(input) && is_wkt(input)) {
+    options.format = DrawingFormat::wkt;
+    return {shown(input), read_drawing(input, "WKT argument", options, context)};
+  }
+  if (is_stream || ending_of(input) == ".qarr") {
+    const std::string text = read_all(input);
+    if (!is_stream || is_arrangement_text(text)) return read_exact(input, text, context);
+    return {shown(input), read_drawing(text, shown(input), options, context)};
+  }
+  return {shown(input), read_drawing(std::filesystem::path(input), options, context)};
+}
+
+/// Every use of an edge by a curve is a piece of that curve.
+template <class F>
+void add_exact(F& family, PieceList<F>& list, const ArrangementText<F>& text, std::vector<std::string>& names) {
+  const Arrangement<F>& a = text.arrangement;
+  constexpr std::uint32_t most = std::uint32_t{1} << 24;
+  if (text.names.empty() && a.curve_count() > most) throw InputError("it has too many curves without names");
+  const auto shift = family.absorb(a.family());
+  std::vector<std::uint32_t> points(a.vertex_count());
+  for (std::size_t v = 0; v < a.vertex_count(); ++v) {
+    const dcel::VertexId id(v);
+    if (!a.has_point(id)) continue;
+    points[v] = list.add_point(F::shifted(a.point(id), shift));
+    if (a.cells().is_isolated(id)) list.lone_points.push_back({points[v], CurveId(std::size_t{0})});
+  }
+  for (std::size_t e = 0; e < a.edge_count(); ++e) {
+    const dcel::EdgeId id(e);
+    if (!a.cells().is_real(id)) continue;
+    for (const CurveUse use : a.curves(id)) {
+      list.pieces.push_back({F::shifted(a.branch(id), shift), points[a.left(id).index()], points[a.right(id).index()],
+                             CurveId(std::size_t{list.curve_count} + use.curve().index()), use.is_reversed()});
+    }
+  }
+  for (std::uint32_t c = 0; c < a.curve_count(); ++c) {
+    names.push_back(text.names.empty() ? "curve " + std::to_string(c) : text.names[c]);
+  }
+  list.curve_count += a.curve_count();
 }
 
 }  // namespace
@@ -46,7 +87,7 @@ std::vector<PlanarInput> read_drawings(const Options& options, std::vector<std::
   std::vector<PlanarInput> inputs;
   for (const std::string& input : options.inputs) {
     context.poll();
-    PlanarInput read{shown(input), read_one(input, context)};
+    PlanarInput read = read_one(input, context);
     for (const std::string& note : read.drawing.notes) warnings.push_back(read.name + ": " + note);
     inputs.push_back(std::move(read));
   }
@@ -54,8 +95,21 @@ std::vector<PlanarInput> read_drawings(const Options& options, std::vector<std::
 }
 
 bool any_arcs(const std::vector<PlanarInput>& inputs) {
-  return std::any_of(inputs.begin(), inputs.end(), [](const PlanarInput& input) { return has_arcs(input.drawing); });
+  return std::any_of(inputs.begin(), inputs.end(), [](const PlanarInput& input) {
+    return input.exact ? std::holds_alternative<ArrangementText<CircularFamily>>(*input.exact)
+                       : has_arcs(input.drawing);
+  });
 }
+
+template <class F>
+void add_input(F& family, PieceList<F>& list, const PlanarInput& input, std::vector<std::string>& names) {
+  if (!input.exact) return add_curves(family, list, input.drawing, names);
+  const auto* text = std::get_if<ArrangementText<F>>(&*input.exact);
+  if (text == nullptr) throw InputError("an exact text of lines does not go with arcs");
+  add_exact(family, list, *text, names);
+}
+template void add_input(LinearFamily&, PieceList<LinearFamily>&, const PlanarInput&, std::vector<std::string>&);
+template void add_input(CircularFamily&, PieceList<CircularFamily>&, const PlanarInput&, std::vector<std::string>&);
 
 std::optional<FillRule> fill_rule(const Options& options) {
   if (options.fill.empty()) return std::nullopt;

@@ -7,20 +7,27 @@
 
 #include "quoin/base/context.h"
 #include "quoin/cli/options.h"
+#include "quoin/io/arrangement_text.h"
 #include "quoin/io/drawing.h"
 
 namespace quoin::cli {
 
-/// A drawing and what to call it.
+/// A drawing, or an arrangement that an exact text holds, and what to call it.
 struct PlanarInput {
   std::string name;
   Drawing drawing;
+  std::optional<AnyArrangementText> exact{};
 };
 
-/// Reads drawings of the plane: files, "-" for standard input, or WKT as an argument itself. Their notes go to
-/// `warnings`.
+/// Reads drawings of the plane and exact texts (.qarr): files, "-" for standard input, or WKT as an argument itself.
+/// Notes go to `warnings`. @throws InputError for an arrangement on the sphere
 std::vector<PlanarInput> read_drawings(const Options& options, std::vector<std::string>& warnings,
                                        const Context& context);
+
+/// Adds the curves of an input to a list, with their names. The edges of an exact text keep the curves they have.
+/// @throws InputError  the input is of lines, exact, and the list is of circles and lines
+template <class F>
+void add_input(F& family, PieceList<F>& list, const PlanarInput& input, std::vector<std::string>& names);
 
 /// Whether one of them has arcs, so that all are taken as circular curves.
 bool any_arcs(const std::vector<PlanarInput>& inputs);

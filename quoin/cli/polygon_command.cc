@@ -170,9 +170,38 @@ PolygonSet<F> combine_plainly(const Regions<F>& regions, FillRule rule, SetOpera
   return combine<F>(pointers, operation, Regularity::plain, context);
 }
 
+/// The set of one input: what an exact text holds, or the regions of a drawing.
+template <class F>
+PolygonSet<F> set_of(const PlanarInput& input, const std::optional<FillRule>& rule, std::vector<std::string>& warnings,
+                     const Context& context) {
+  if (!input.exact) {
+    const Regions<F> regions = read_regions<F>({&input, 1}, rule, warnings, context);
+    return combine_regions(regions.drawn, regions.groups, rule.value_or(FillRule::even_odd), SetOperation::unite);
+  }
+  const auto* text = std::get_if<ArrangementText<F>>(&*input.exact);
+  if (text == nullptr) throw InputError(input.name + ": an exact text of lines does not go with arcs");
+  if (!text->members) throw InputError(input.name + ": it is an arrangement without members, no set");
+  return *text->set();
+}
+
+template <class F>
+PolygonSet<F> combine_sets(std::span<const PlanarInput> inputs, std::vector<std::string>& warnings,
+                           const Options& options, const Context& context) {
+  std::vector<PolygonSet<F>> sets;
+  for (const PlanarInput& input : inputs) sets.push_back(set_of<F>(input, fill_rule(options), warnings, context));
+  std::vector<const PolygonSet<F>*> pointers;
+  for (const PolygonSet<F>& set : sets) pointers.push_back(&set);
+  return combine<F>(pointers, operation_of(options.operation),
+                    options.plain ? Regularity::plain : Regularity::regularized, context);
+}
+
 template <class F>
 int combine_with(std::span<const PlanarInput> inputs, std::vector<std::string>& warnings, const Options& options,
                  const Context& context) {
+  if (std::any_of(inputs.begin(), inputs.end(), [](const PlanarInput& input) { return input.exact.has_value(); })) {
+    const PolygonSet<F> set = combine_sets<F>(inputs, warnings, options, context);
+    return report_set(set, warnings, {{"operation", options.operation}}, options, context);
+  }
   const std::optional<FillRule> rule = fill_rule(options);
   const Regions<F> regions = read_regions<F>(inputs, rule, warnings, context);
   const FillRule reading = rule.value_or(FillRule::even_odd);
