@@ -435,7 +435,8 @@ RationalPoint2 LinearFamily::exact(const Point& p) const {
 
 double LinearFamily::sweep_key(const Point& p) const {
   if (side(p) == Side::left) return -infinity;
-  return side(p) == Side::right ? infinity : p.x;
+  if (side(p) == Side::right) return infinity;
+  return p.x;
 }
 
 LinearFamily::Shift LinearFamily::absorb(const LinearFamily& other) {

@@ -17,7 +17,7 @@ void TrapezoidLocator<F>::rebuild(const Context& context) {
   if (edges_.points.size() >= (1U << 30) || edges_.edges.size() >= (1U << 30)) {
     throw InputError("more edges than a trapezoidal map holds");
   }
-  // Longest paths of about 4 log2(n) were measured; twice that has a chance of less than one in n.
+  // Longest paths of about 4 log2(n) were measured; a map with one half as long again is built once more, in another order.
   const double usual = 6 * std::log2(static_cast<double>(edges_.edges.size() + 2)) + 20;
   for (std::uint64_t attempt = 0; attempt < 4; ++attempt) {
     TrapezoidMap map = TrapezoidMapBuilder<F>(a.family(), edges_).build(context.seed() + attempt, context);
