@@ -14,6 +14,7 @@
 #include "quoin/arrangement/circular_oracle.h"
 #include "quoin/arrangement/family_suite.h"
 #include "quoin/base/error.h"
+#include "quoin/base/test_rounds.h"
 
 namespace quoin {
 namespace {
@@ -338,7 +339,7 @@ void check_scenes(const std::vector<Generator>& generators, const std::function<
                   std::uint64_t seed, int count, FamilyCases* cases) {
   Random random(seed);
   CircularFamily previous;
-  for (int i = 0; i < count; ++i) {
+  for (int i = 0; i < test_rounds(count); ++i) {
     Scene scene;
     scene.log.precision(17);
     const Placement place = placement(random);
@@ -360,26 +361,26 @@ Placement unplaced(Random& /*random*/) {
 TEST(CircularFamily, TinyIntegers) {
   FamilyCases cases;
   check_scenes({add_tiny}, unplaced, 1, 150, &cases);
-  EXPECT_GT(cases.touching, 100U);
-  EXPECT_GT(cases.vertical, 100U);
-  EXPECT_GT(cases.overlapping, 5U);
-  EXPECT_GT(cases.common_end, 100U);
-  EXPECT_GT(cases.multiple, 50U);
-  EXPECT_GT(cases.reversed, 100U);
-  EXPECT_GT(cases.met_by_sweep, 100U);
+  EXPECT_GT(cases.touching, test_rounds(100U));
+  EXPECT_GT(cases.vertical, test_rounds(100U));
+  EXPECT_GT(cases.overlapping, test_rounds(5U));
+  EXPECT_GT(cases.common_end, test_rounds(100U));
+  EXPECT_GT(cases.multiple, test_rounds(50U));
+  EXPECT_GT(cases.reversed, test_rounds(100U));
+  EXPECT_GT(cases.met_by_sweep, test_rounds(100U));
 }
 
 TEST(CircularFamily, CirclesAndArcsThroughLatticePoints) {
   FamilyCases cases;
   check_scenes({add_lattice}, unplaced, 2, 100, &cases);
-  EXPECT_GT(cases.overlapping, 5U);
-  EXPECT_GT(cases.multiple, 50U);
+  EXPECT_GT(cases.overlapping, test_rounds(5U));
+  EXPECT_GT(cases.multiple, test_rounds(50U));
 }
 
 TEST(CircularFamily, TouchingCirclesInGeneralDirections) {
   FamilyCases cases;
   check_scenes({add_pythagorean}, unplaced, 3, 60, &cases);
-  EXPECT_GT(cases.touching, 100U);
+  EXPECT_GT(cases.touching, test_rounds(100U));
 }
 
 TEST(CircularFamily, FarFromTheOrigin) {
@@ -388,21 +389,21 @@ TEST(CircularFamily, FarFromTheOrigin) {
   };
   FamilyCases cases;
   check_scenes({add_tiny, add_lattice}, far, 4, 25, &cases);
-  EXPECT_GT(cases.touching, 20U);
+  EXPECT_GT(cases.touching, test_rounds(20U));
 }
 
 TEST(CircularFamily, ScaledByPowersOfTwo) {
   const auto scaled = [](Random& random) { return Placement{std::ldexp(1.0, pick(random, -60, 60)), 0, 0}; };
   FamilyCases cases;
   check_scenes({add_tiny}, scaled, 5, 60, &cases);
-  EXPECT_GT(cases.touching, 20U);
+  EXPECT_GT(cases.touching, test_rounds(20U));
 }
 
 TEST(CircularFamily, RandomDoubles) {
   FamilyCases cases;
   check_scenes({add_random}, unplaced, 6, 60, &cases);
   check_scenes({add_random, add_tiny}, unplaced, 7, 20, &cases);
-  EXPECT_GT(cases.crossing, 300U);
+  EXPECT_GT(cases.crossing, test_rounds(300U));
 }
 
 TEST(CircularFamily, NearlyDegenerateDoubles) {
@@ -413,21 +414,21 @@ TEST(CircularFamily, NearlyDegenerateDoubles) {
   FamilyCases cases;
   check_scenes({add_near}, unplaced, 12, 150, &cases);
   check_scenes({add_near}, anywhere, 13, 60, &cases);
-  EXPECT_GT(cases.crossing, 100U);
+  EXPECT_GT(cases.crossing, test_rounds(100U));
 }
 
 TEST(CircularFamily, RationalSupports) {
   FamilyCases cases;
   check_scenes({add_rational}, unplaced, 8, 60, &cases);
   check_scenes({add_rational, add_tiny, add_lattice}, unplaced, 9, 15, &cases);
-  EXPECT_GT(cases.crossing, 300U);
+  EXPECT_GT(cases.crossing, test_rounds(300U));
 }
 
 TEST(CircularFamily, Bulges) {
   FamilyCases cases;
   check_scenes({add_bulges}, unplaced, 10, 80, &cases);
   check_scenes({add_bulges, add_tiny}, unplaced, 11, 15, &cases);
-  EXPECT_GT(cases.overlapping, 5U);
+  EXPECT_GT(cases.overlapping, test_rounds(5U));
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "quoin/arrangement/circular_family.h"
 #include "quoin/arrangement/circular_shapes.h"
 #include "quoin/base/error.h"
+#include "quoin/base/test_rounds.h"
 
 namespace quoin {
 namespace {
@@ -198,7 +199,7 @@ TEST(CircularInput, RefusesWhatIsNoCurveAndNamesIt) {
 TEST(CircularShapes, AreasAndBoxesContainTheTruth) {
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> real(0, 4);
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < test_rounds(300); ++i) {
     CircularFamily family;
     CircularFamily::Pieces list;
     const double r = 0.1 + real(random);

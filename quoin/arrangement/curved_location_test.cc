@@ -12,6 +12,7 @@
 #include "quoin/arrangement/circular_location.h"
 #include "quoin/arrangement/geodesic_location.h"
 #include "quoin/arrangement/walk_locator.h"
+#include "quoin/base/test_rounds.h"
 
 namespace quoin {
 namespace {
@@ -24,7 +25,7 @@ std::string name(Location l) {
 // Circles.
 
 TEST(PointLocation, CirclesAndSegments) {
-  for (unsigned seed = 0; seed < 60; ++seed) {
+  for (unsigned seed = 0; seed < test_rounds(60U); ++seed) {
     std::mt19937 random(seed);
     const auto pick = [&](unsigned bound) { return static_cast<double>(random() % bound); };
     CircularFamily family;
@@ -181,7 +182,7 @@ std::vector<Location> locate_everywhere(const SphereInput& input, int turns) {
 /// Turning the sphere over its poles and its identification keeps which directions share a face; edges are cut
 /// elsewhere.
 TEST(PointLocation, TurnedSpheresHaveTheSameFaces) {
-  for (unsigned seed = 0; seed < 150; ++seed) {
+  for (unsigned seed = 0; seed < test_rounds(150U); ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     const SphereInput input = random_input(seed);
     const std::vector<Location> first = locate_everywhere(input, 0);
@@ -203,7 +204,7 @@ TEST(PointLocation, TurnedSpheresHaveTheSameFaces) {
 
 /// Every face of a sphere has cells, neighbours lie in one face and name each other.
 TEST(VerticalDecomposition, OfSpheres) {
-  for (unsigned seed = 0; seed < 150; ++seed) {
+  for (unsigned seed = 0; seed < test_rounds(150U); ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     const SphereInput input = random_input(seed);
     GeodesicFamily family;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "quoin/arrangement/test_geodesics.h"
+#include "quoin/base/test_rounds.h"
 
 namespace quoin::test_geodesics {
 namespace {
@@ -119,7 +120,7 @@ struct World {
 template <class Function>
 void for_worlds(std::uint64_t seeds, std::size_t size, const Function& function) {
   for (const Draw draw : all_draws) {
-    for (std::uint64_t seed = 0; seed < seeds; ++seed) {
+    for (std::uint64_t seed = 0; seed < test_rounds(seeds); ++seed) {
       SCOPED_TRACE(named(draw, seed));
       World world(draw, seed, size);
       if (::testing::Test::HasFatalFailure()) return;
@@ -328,7 +329,7 @@ TEST(GeodesicFamily, AbsorbedPointsMayNeedLongerNumbers) {
 
 TEST(GeodesicFamily, AbsorbedPointsAndBranchesAreTheSame) {
   for (const Draw draw : all_draws) {
-    for (std::uint64_t seed = 0; seed < 4; ++seed) {
+    for (std::uint64_t seed = 0; seed < test_rounds(4U); ++seed) {
       SCOPED_TRACE(named(draw, seed));
       World a(draw, seed, 4);
       World b(draw, seed + 1000, 4);

@@ -12,6 +12,7 @@
 #include "quoin/arrangement/geodesic_family.h"
 #include "quoin/arrangement/test_geodesics.h"
 #include "quoin/base/error.h"
+#include "quoin/base/test_rounds.h"
 
 namespace quoin::test_geodesics {
 namespace {
@@ -102,7 +103,7 @@ void check_pieces(const GeodesicFamily& family, const Pieces& list, std::size_t 
 
 TEST(GeodesicPieces, PiecesCoverTheArcAndNothingElse) {
   for (const Draw draw : all_draws) {
-    for (std::uint64_t seed = 0; seed < 150; ++seed) {
+    for (std::uint64_t seed = 0; seed < test_rounds(150U); ++seed) {
       SCOPED_TRACE(named(draw, seed));
       Directions directions(draw, seed);
       const Arc arc = draw_arc(directions);
@@ -189,7 +190,7 @@ std::size_t count_meetings_slowly(const std::vector<Arc>& arcs) {
 TEST(GeodesicPieces, RotationsOfTheCubeKeepWhatMeets) {
   const std::vector<std::array<Triple, 3>> rotations = cube_rotations();
   ASSERT_EQ(rotations.size(), 24U);
-  for (std::uint64_t seed = 0; seed < 5; ++seed) {
+  for (std::uint64_t seed = 0; seed < test_rounds(5U); ++seed) {
     for (const Draw draw : {Draw::tiny, Draw::nearly_tiny, Draw::short_integers}) {
       SCOPED_TRACE(named(draw, seed));
       Directions directions(draw, seed);

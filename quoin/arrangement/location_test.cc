@@ -14,6 +14,7 @@
 #include "quoin/arrangement/location_scenes.h"
 #include "quoin/arrangement/locator_watch.h"
 #include "quoin/arrangement/walk_locator.h"
+#include "quoin/base/test_rounds.h"
 
 namespace quoin {
 namespace {
@@ -117,7 +118,7 @@ TEST(PointLocation, ExchangedCoordinatesGiveTheSameCells) {
 
 TEST(PointLocation, ManyQueriesAgree) {
   for (unsigned seed = 0; seed < 3; ++seed) {
-    const LinearArrangement a = random_segments(2000, 0.01 * std::pow(4, seed), seed);
+    const LinearArrangement a = random_segments(test_rounds(2000), 0.01 * std::pow(4, seed), seed);
     std::vector<LinearPoint> queries;
     for (std::size_t i = 0; i < a.vertex_count(); ++i) queries.push_back(a.point(dcel::VertexId(i)));
     for (std::size_t i = 0; i < a.edge_count(); ++i) {
@@ -127,7 +128,8 @@ TEST(PointLocation, ManyQueriesAgree) {
     }
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> any(-0.1, 1.1);
-    while (queries.size() < 100'000) queries.push_back(LinearFamily::point(Point2{any(random), any(random)}));
+    while (queries.size() < test_rounds(std::size_t{100'000}))
+      queries.push_back(LinearFamily::point(Point2{any(random), any(random)}));
     const NaiveLocator<LinearFamily> naive(a);
     const TrapezoidLocator<LinearFamily> trapezoids(a);
     const GridLocator<LinearFamily> grid(a);

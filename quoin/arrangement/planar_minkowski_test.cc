@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "quoin/base/error.h"
+#include "quoin/base/test_rounds.h"
 
 namespace quoin {
 namespace {
@@ -158,7 +159,7 @@ LinearPolygonSet slow_sum(const LinearPolygonSet& a, const LinearPolygonSet& b) 
 
 TEST(PlanarMinkowski, AgreesWithSumsOfConvexPieces) {
   std::mt19937 random(7);
-  for (int round = 0; round < 150; ++round) {
+  for (int round = 0; round < test_rounds(150); ++round) {
     const int size = 3 + round % 5;
     const bool squares = round % 3 == 0;
     const Rings a = squares ? random_squares(random, 4) : random_rings(random, 1 + round % 2, 5, size);
@@ -204,7 +205,7 @@ TEST(PlanarMinkowski, OpenSumHoldsWhereOpenSetsMeet) {
   std::mt19937 random(19);
   std::size_t slits = 0;
   std::size_t isolated = 0;
-  for (int round = 0; round < 60; ++round) {
+  for (int round = 0; round < test_rounds(60); ++round) {
     const bool squares = round % 4 != 0;
     const Rings a = squares ? random_squares(random, 3 + round % 3) : random_rings(random, 1, 4, 5);
     const Rings b = squares ? random_squares(random, 1 + round % 2) : random_rings(random, 1, 2, 3);
@@ -217,8 +218,8 @@ TEST(PlanarMinkowski, OpenSumHoldsWhereOpenSetsMeet) {
     isolated += result.isolated_points;
     if (testing::Test::HasFailure()) break;
   }
-  EXPECT_GT(slits, 50U);
-  EXPECT_GT(isolated, 5U);
+  EXPECT_GT(slits, test_rounds(50U));
+  EXPECT_GT(isolated, test_rounds(5U));
 }
 
 TEST(PlanarMinkowski, AreaOfConvexSums) {
@@ -267,7 +268,7 @@ TEST(PlanarMinkowski, AreaOfConvexSums) {
 TEST(PlanarMinkowski, CommutesAndMovesWithItsOperands) {
   std::mt19937 random(23);
   const RationalPoint2 vector{Rational(Integer(1), Integer(3)), Rational(0.1)};
-  for (int round = 0; round < 40; ++round) {
+  for (int round = 0; round < test_rounds(40); ++round) {
     const Rings a = random_rings(random, 2, 4, 6);
     const Rings b = random_rings(random, 1, 3, 4);
     const LinearPolygonSet set_a = set_of(a);
@@ -338,7 +339,7 @@ TEST(PlanarMinkowski, PegOfTheHolesSizeLeavesAPoint) {
 TEST(PlanarMinkowski, NearlyDegenerateDoubles) {
   // Grids in tenths: what would be parallel, collinear or equal there is off by a unit in the last place.
   std::mt19937 random(41);
-  for (int round = 0; round < 40; ++round) {
+  for (int round = 0; round < test_rounds(40); ++round) {
     Rings a = round % 2 == 0 ? random_squares(random, 3) : random_rings(random, 2, 4, 5);
     Rings b = random_rings(random, 1, 3, 4);
     for (Rings* rings : {&a, &b}) {

@@ -13,6 +13,7 @@
 #include "quoin/arrangement/planar_motion.h"
 #include "quoin/arrangement/planar_normals.h"
 #include "quoin/base/error.h"
+#include "quoin/base/test_rounds.h"
 
 namespace quoin {
 namespace {
@@ -179,7 +180,7 @@ class Samples {
 
 TEST(PlanarOffset, HoldsTheRightPoints) {
   std::mt19937 random(31);
-  for (int round = 0; round < 40; ++round) {
+  for (int round = 0; round < test_rounds(40); ++round) {
     const bool squares = round % 3 == 0;
     const Rings rings = squares ? random_squares(random, 4) : random_rings(random, 1 + round % 2, 5, 6);
     const LinearPolygonSet set = set_of(rings);

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "quoin/arrangement/linear_polygon_set.h"
+#include "quoin/base/test_rounds.h"
 
 namespace quoin {
 namespace {
@@ -94,7 +95,7 @@ bool inside(int w, FillRule rule) {
 
 TEST(PolygonSet, OperationsAgreeWithSamplePoints) {
   std::mt19937 random(11);
-  for (int round = 0; round < 400; ++round) {
+  for (int round = 0; round < test_rounds(400); ++round) {
     const int size = 3 + round % 6;
     const Rings a = random_rings(random, 1 + round % 3, size);
     const Rings b = random_rings(random, 1 + round % 2, size);
