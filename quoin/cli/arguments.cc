@@ -147,9 +147,12 @@ void add_planar(CLI::App& app, Options& options) {
   locate->add_option("--points", options.points_file, "file with a point per line; '-' for standard input");
   add_pictures(*locate, options, "");
   CLI::App* polygon = add_command(app, options, "polygon", "sets of points bounded by segments and arcs, a file each");
-  polygon->add_option("operation", options.operation, "union, intersection, difference, xor")
+  polygon
+      ->add_option("operation", options.operation,
+                   "union, intersection, difference, xor; minkowski: the sum of two sets; offset: what is within a "
+                   "distance of a set")
       ->required()
-      ->check(CLI::IsMember({"union", "intersection", "difference", "xor"}));
+      ->check(CLI::IsMember({"union", "intersection", "difference", "xor", "minkowski", "offset"}));
   add_drawings(*polygon, options);
   add_pictures(*polygon, options, "wkt geojson dxf (certified), ");
   polygon->add_option("--fill", options.fill,
@@ -157,6 +160,14 @@ void add_planar(CLI::App& app, Options& options) {
   polygon->add_option("--flatten", options.flatten, "chords no further than this from arcs, where a format has no arcs")
       ->check(finite_number(false));
   polygon->add_flag("--plain", options.plain, "without regularization: edges and points without area stay");
+  polygon->add_option("--distance", options.distance, "of offset; below zero: an inset");
+  polygon->add_option("--precision", options.precision,
+                      "of offset: how far the radius may be off, where it cannot be exact (default: 2^-20 of it)");
+  polygon->add_flag("--inner", options.inner,
+                    "of offset: write what lies within the exact one (default: what holds it)");
+  polygon->add_flag("--tight", options.tight, "of minkowski: also slits and points that only the open sets leave free");
+  polygon->add_flag("--reflect", options.reflect,
+                    "of minkowski: of the first set and the second turned by half a turn");
   CLI::App* envelope = add_command(app, options, "envelope", "the lowest, or highest, of curves over every x");
   add_drawings(*envelope, options);
   add_pictures(*envelope, options, "wkt geojson dxf, ");

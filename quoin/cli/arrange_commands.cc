@@ -11,6 +11,7 @@
 #include "quoin/cli/commands.h"
 #include "quoin/cli/coordinates.h"
 #include "quoin/cli/exact_targets.h"
+#include "quoin/cli/failure.h"
 #include "quoin/cli/inputs.h"
 #include "quoin/cli/planar.h"
 #include "quoin/cli/planar_pictures.h"
@@ -30,17 +31,25 @@ struct NamedArrangement {
 };
 
 template <class F>
+void add_inputs(F& family, PieceList<F>& list, std::span<const PlanarInput> inputs, std::vector<std::string>& names) {
+  for (const PlanarInput& input : inputs) {
+    const std::size_t first = names.size();
+    try {
+      add_input(family, list, input, names);
+    } catch (const InputError& error) {
+      throw InputError(input.name + ": " + error.what());
+    }
+    if (inputs.size() == 1) continue;
+    for (std::size_t i = first; i < names.size(); ++i) names[i] = input.name + ": " + names[i];
+  }
+}
+
+template <class F>
 NamedArrangement<F> arrange_drawings(std::span<const PlanarInput> inputs, const Context& context) {
   F family;
   PieceList<F> list;
   NamedArrangement<F> result;
-  for (const PlanarInput& input : inputs) {
-    try {
-      add_input(family, list, input, result.names);
-    } catch (const InputError& error) {
-      throw InputError(input.name + ": " + error.what());
-    }
-  }
+  add_inputs(family, list, inputs, result.names);
   result.arrangement = arrange(std::move(family), list, context);
   return result;
 }
@@ -160,13 +169,12 @@ const char* kind_of(const Location& location) {
 }
 
 template <class F>
-int locate_with(std::span<const PlanarInput> inputs, std::vector<std::string>& warnings, const Options& options,
-                const Context& context) {
+int locate_with(std::span<const PlanarInput> inputs, const std::vector<PlanarQuery>& queries,
+                std::vector<std::string>& warnings, const Options& options, const Context& context) {
   F family;
   PieceList<F> list;
   std::vector<std::string> names;
-  for (const PlanarInput& input : inputs) add_input(family, list, input, names);
-  const std::vector<PlanarQuery> queries = queries_of(options);
+  add_inputs(family, list, inputs, names);
   std::vector<typename F::Point> points;
   for (const PlanarQuery& query : queries) points.push_back(family.point(query.point));
   const Arrangement<F> arrangement = arrange(std::move(family), list, context);
@@ -211,10 +219,13 @@ int run_overlay(const Options& options, const Context& context) {
 }
 
 int run_locate(const Options& options, const Context& context) {
+  if (options.points.empty() && options.points_file.empty())
+    throw UsageError("nothing to locate: --point or --points is needed");
+  const std::vector<PlanarQuery> queries = queries_of(options);
   std::vector<std::string> warnings;
   const std::vector<PlanarInput> inputs = read_drawings(options, warnings, context);
-  return any_arcs(inputs) ? locate_with<CircularFamily>(inputs, warnings, options, context)
-                          : locate_with<LinearFamily>(inputs, warnings, options, context);
+  return any_arcs(inputs) ? locate_with<CircularFamily>(inputs, queries, warnings, options, context)
+                          : locate_with<LinearFamily>(inputs, queries, warnings, options, context);
 }
 
 }  // namespace quoin::cli

@@ -110,7 +110,7 @@ void write_envelope(const NamedEnvelope<F>& made, const Options& options, std::v
   }
   if (std::ranges::all_of(targets, is_drawing)) return;
   EnvelopePictureOptions how;
-  how.title = title_of(options.inputs.front());
+  how.title = planar_title(options);
   how.curve_name = [&](CurveId curve) { return made.names[curve.index()]; };
   how.has_numbers = options.labels;
   write_picture(picture_of(made.family, made.list, made.envelope, how), options);

@@ -24,10 +24,13 @@ struct Options {
   std::string plane;                 ///< of `section`: "a,b,c,d"
   std::string operation;             ///< of `polygon`
   std::string fill;                  ///< of `polygon`: how rings that cross are read; empty: they are refused
-  std::optional<double> distance;    ///< of `polygon offset`
-  std::optional<double> precision;   ///< of `polygon offset`: how far a bound may be from the true curve
+  std::string distance;              ///< of `polygon offset`: a number; below zero: an inset
+  std::string precision;             ///< of `polygon offset`: how far the radius may be off; empty: 2^-20 of it
   std::optional<double> flatten;     ///< chords instead of arcs, no further than this from them
   bool plain = false;                ///< of `polygon`: edges and points without area stay
+  bool inner = false;                ///< of `polygon offset`: what lies within the exact offset is written
+  bool tight = false;                ///< of `polygon minkowski`: tight places too
+  bool reflect = false;              ///< of `polygon minkowski`: the second set turned by half a turn
   bool labels = false;               ///< numbers in pictures
   bool sphere = false;               ///< of `arrange`: curves on the sphere
   bool upper = false;                ///< of `envelope`

@@ -5,9 +5,11 @@
 #include <array>
 #include <cctype>
 #include <filesystem>
+#include <sstream>
 
 #include "quoin/cli/failure.h"
 #include "quoin/cli/inputs.h"
+#include "quoin/cli/reporting.h"
 #include "quoin/cli/streams.h"
 #include "quoin/cli/targets.h"
 #include "quoin/io/drawing_curves.h"
@@ -29,6 +31,10 @@ bool is_wkt(const std::string& text) {
   return rest.find('(') != std::string::npos || rest.find("empty") != std::string::npos;
 }
 
+bool is_literal(const std::string& input) {
+  return input != standard_stream && is_wkt(input) && !std::filesystem::exists(input);
+}
+
 PlanarInput read_exact(const std::string& input, std::string_view text, const Context& context) {
   PlanarInput read{shown(input), {}, read_arrangement_text(text, shown(input), context)};
   if (std::holds_alternative<ArrangementText<GeodesicFamily>>(*read.exact)) {
@@ -37,19 +43,17 @@ PlanarInput read_exact(const std::string& input, std::string_view text, const Co
   return read;
 }
 
-PlanarInput read_one(const std::string& input, const Context& context) {
+PlanarInput read_one(const std::string& input, std::size_t number, const Context& context) {
   DrawingReadOptions options;
-  const bool is_stream = input == standard_stream;
-  if (!is_stream && !std::filesystem::exists(input) && is_wkt(input)) {
+  if (is_literal(input)) {
     options.format = DrawingFormat::wkt;
-    return {shown(input), read_drawing(input, "WKT argument", options, context)};
+    const std::string name = "WKT argument " + std::to_string(number);
+    return {name, read_drawing(input, name, options, context), {}};
   }
-  if (is_stream || ending_of(input) == ".qarr") {
-    const std::string text = read_all(input);
-    if (!is_stream || is_arrangement_text(text)) return read_exact(input, text, context);
-    return {shown(input), read_drawing(text, shown(input), options, context)};
-  }
-  return {shown(input), read_drawing(std::filesystem::path(input), options, context)};
+  const std::string text = read_all(input);
+  if (ending_of(input) == ".qarr" || is_arrangement_text(text)) return read_exact(input, text, context);
+  if (text.find_first_not_of(" \t\r\n") == std::string::npos) return {shown(input), {}, {}};
+  return {shown(input), read_drawing(text, shown(input), options, context), {}};
 }
 
 /// Every use of an edge by a curve is a piece of that curve.
@@ -87,8 +91,10 @@ std::vector<PlanarInput> read_drawings(const Options& options, std::vector<std::
   std::vector<PlanarInput> inputs;
   for (const std::string& input : options.inputs) {
     context.poll();
-    PlanarInput read = read_one(input, context);
+    PlanarInput read = read_one(input, inputs.size() + 1, context);
     for (const std::string& note : read.drawing.notes) warnings.push_back(read.name + ": " + note);
+    if (!read.exact && read.drawing.elements.empty() && read.drawing.notes.empty())
+      warnings.push_back(read.name + ": it is empty");
     inputs.push_back(std::move(read));
   }
   return inputs;
@@ -101,6 +107,11 @@ bool any_arcs(const std::vector<PlanarInput>& inputs) {
   });
 }
 
+std::string planar_title(const Options& options) {
+  const std::string& first = options.inputs.front();
+  if (is_literal(first)) return options.operation.empty() ? options.command : options.operation;
+  return title_of(first);
+}
 template <class F>
 void add_input(F& family, PieceList<F>& list, const PlanarInput& input, std::vector<std::string>& names) {
   if (!input.exact) return add_curves(family, list, input.drawing, names);
@@ -125,10 +136,17 @@ void write_drawings(const Drawing& drawing, const Options& options, std::vector<
     if (target.kind != Target::Kind::planar) continue;
     DrawingWriteOptions how;
     how.flatten_tolerance = options.flatten;
-    const std::vector<std::string> notes =
-        target.is_stream() ? write_drawing(data_stream(), target.planar_format, drawing, how, context)
-                           : write_drawing(target.name, target.planar_format, drawing, how, context);
-    for (const std::string& note : notes) warnings.push_back(shown(target.name) + ": " + note);
+    how.as_one_geometry = true;
+    std::vector<std::string> notes;
+    if (target.is_stream()) {
+      std::ostringstream text;  // what is refused leaves no part of it
+      notes = write_drawing(text, target.planar_format, drawing, how, context);
+      data_stream() << text.view();
+    } else {
+      notes = write_drawing(target.name, target.planar_format, drawing, how, context);
+    }
+    const std::string name = target.is_stream() ? "standard output" : target.name;
+    for (const std::string& note : notes) warnings.push_back(name + ": " + note);
   }
 }
 

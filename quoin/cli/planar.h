@@ -32,6 +32,9 @@ void add_input(F& family, PieceList<F>& list, const PlanarInput& input, std::vec
 /// Whether one of them has arcs, so that all are taken as circular curves.
 bool any_arcs(const std::vector<PlanarInput>& inputs);
 
+/// The title of what is made of the inputs: the stem of the first one's name.
+std::string planar_title(const Options& options);
+
 /// The rule of --fill; nothing where polygons must be valid. @throws UsageError
 std::optional<FillRule> fill_rule(const Options& options);
 

@@ -5,9 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "quoin/arrangement/polygon_set.h"
+#include "quoin/arrangement/linear_polygon_set.h"
+#include "quoin/base/context.h"
 #include "quoin/cli/options.h"
-#include "quoin/cli/reporting.h"
+#include "quoin/cli/planar.h"
 #include "quoin/view/arrangement_picture.h"
 #include "quoin/view/circular_picture.h"
 
@@ -22,13 +23,15 @@ void write_pictures(const Arrangement<F>& arrangement, const std::vector<std::st
                     const std::function<std::string(dcel::FaceId)>& face_label, const Options& options) {
   if (options.outputs.empty()) return;
   ArrangementPictureOptions how;
-  how.title = title_of(options.inputs.front());
+  how.title = planar_title(options);
   how.number_faces = options.labels && !face_label;
   how.number_edges = how.number_vertices = options.labels;
   how.curve_name = [&](CurveId curve) { return curve.index() < names.size() ? names[curve.index()] : std::string(); };
   if (face_label) {
-    how.face = [&](dcel::FaceId f) {
+    const std::vector<std::uint32_t> colors = colors_by_neighbours(arrangement.cells());
+    how.face = [&, colors](dcel::FaceId f) {
       CellLook look;
+      if (!arrangement.cells()[f].is_unbounded) look.fill.category = colors[f.index()];
       if (options.labels) look.text.label = face_label(f);
       look.text.facts.emplace_back("Source faces", face_label(f));
       return look;
@@ -42,7 +45,7 @@ template <class F>
 void write_set_picture(const PolygonSet<F>& set, const Options& options) {
   if (options.outputs.empty()) return;
   ArrangementPictureOptions how;
-  how.title = title_of(options.inputs.front());
+  how.title = planar_title(options);
   how.number_vertices = options.labels;
   how.face = [&](dcel::FaceId f) {
     CellLook look;
@@ -57,5 +60,9 @@ void write_set_picture(const PolygonSet<F>& set, const Options& options) {
   };
   write_picture(picture_of(set.arrangement(), how), options);
 }
+
+/// A sum with its tight places inside.
+void write_sum_picture(const LinearPolygonSet& sum, const LinearPolygonSet& tight, const Options& options,
+                       const Context& context);
 
 }  // namespace quoin::cli

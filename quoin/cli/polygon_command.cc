@@ -1,150 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <cmath>
 #include <map>
-#include <sstream>
 
-#include "quoin/arrangement/circular_shapes.h"
 #include "quoin/cli/commands.h"
 #include "quoin/cli/exact_targets.h"
 #include "quoin/cli/failure.h"
 #include "quoin/cli/planar.h"
 #include "quoin/cli/planar_pictures.h"
-#include "quoin/cli/targets.h"
-#include "quoin/io/drawing_curves.h"
-#include "quoin/io/set_drawing.h"
+#include "quoin/cli/planar_regions.h"
+#include "quoin/cli/polygon_motion.h"
+#include "quoin/cli/set_report.h"
 
 namespace quoin::cli {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-/// All regions of the inputs, arranged.
-template <class F>
-struct Regions {
-  Arrangement<F> drawn;
-  RegionCurves curves;
-  RegionGroups groups;
-};
-
-std::string describe_problem(const RingProblem& problem, const RegionCurves& curves) {
-  const std::string& first = curves.names[problem.first_curve];
-  const std::string& second = curves.names[problem.second_curve];
-  switch (problem.kind) {
-    case RingProblem::Kind::overlap:
-      return problem.first_curve == problem.second_curve ? first + " runs along itself"
-                                                         : first + " and " + second + " run along one another";
-    case RingProblem::Kind::crosses_itself:
-      return first + " crosses itself";
-    case RingProblem::Kind::hole_outside:
-      return first + " is a hole that reaches outside its polygon";
-    case RingProblem::Kind::holes_overlap:
-      break;
-  }
-  return first + " and " + second + " are holes that overlap";
-}
-
-template <class F>
-std::string place_of(const Arrangement<F>& drawn, dcel::EdgeId edge) {
-  const Point2 p = drawn.family().position(drawn.point(drawn.left(edge)));
-  std::ostringstream out;
-  out << " near (" << p.x << ", " << p.y << ")";
-  return out.str();
-}
-
-template <class F>
-Regions<F> read_regions(std::span<const PlanarInput> inputs, const std::optional<FillRule>& rule,
-                        std::vector<std::string>& warnings, const Context& context) {
-  F family;
-  PieceList<F> list;
-  Regions<F> regions;
-  for (const PlanarInput& input : inputs) {
-    RegionCurves curves;
-    try {
-      add_regions(family, list, input.drawing, curves);
-    } catch (const InputError& error) {
-      throw InputError(input.name + ": " + error.what());
-    }
-    const auto first = static_cast<std::uint32_t>(regions.groups.operand_of_element.size());
-    for (std::size_t i = 0; i < curves.names.size(); ++i) {
-      regions.curves.names.push_back(input.name + ": " + curves.names[i]);
-      regions.curves.is_hole.push_back(curves.is_hole[i]);
-      regions.groups.element_of_curve.push_back(first + curves.elements[i]);
-    }
-    regions.groups.operand_of_element.resize(first + input.drawing.elements.size(), regions.groups.operand_count);
-    ++regions.groups.operand_count;
-    for (const std::string& name : curves.ignored) warnings.push_back(input.name + ": " + name + " encloses nothing");
-  }
-  regions.drawn = arrange(std::move(family), list, context);
-  if (rule) return regions;
-  const std::optional<RingProblem> problem =
-      find_ring_problem(regions.drawn, regions.groups.element_of_curve, regions.curves.is_hole);
-  if (problem) {
-    throw InputError(describe_problem(*problem, regions.curves) + place_of(regions.drawn, problem->edge) +
-                     "; --fill even-odd or nonzero reads such rings by that rule");
-  }
-  return regions;
-}
-
-double area_of(const LinearPolygonSet& set, Json& json) {
-  const Rational exact = area(set);
-  json["exact_area"] = exact.to_string();
-  return exact.to_double();
-}
-
-double area_of(const CircularPolygonSet& set, Json& json) {
-  const CircularArrangement& arrangement = set.arrangement();
-  double sum = 0;
-  double error = 0;
-  for (std::size_t e = 0; e < arrangement.edge_count(); ++e) {
-    const dcel::EdgeId id(e);
-    const bool above = set.contains(arrangement.cells().face(dcel::HalfedgeId(id, false)));
-    const bool below = set.contains(arrangement.cells().face(dcel::HalfedgeId(id, true)));
-    if (above == below) continue;
-    const CertifiedDouble part = area_under(arrangement.family(), arrangement.branch(id), arrangement.left_point(id),
-                                            arrangement.right_point(id));
-    sum += below ? part.value : -part.value;
-    error += part.error + 0x1p-52 * std::fabs(sum);
-  }
-  json["area_error"] = error;
-  return sum;
-}
-
-template <class F>
-int report_set(const PolygonSet<F>& set, std::vector<std::string> warnings, Json json, const Options& options,
-               const Context& context) {
-  const std::size_t polygons = set.is_unbounded() ? 0 : polygons_of(set).size();
-  const dcel::Counts counts = set.arrangement().counts();
-  json["unbounded"] = set.is_unbounded();
-  json["polygons"] = polygons;
-  json["vertices"] = counts.vertices;
-  json["edges"] = counts.edges;
-  json["isolated_vertices"] = counts.isolated_vertices;
-  std::string text = std::to_string(polygons) + " polygons, " + std::to_string(counts.vertices) + " vertices";
-  if (!set.is_unbounded()) {
-    json["area"] = area_of(set, json);
-    std::ostringstream out;
-    out << ", area " << json["area"].template get<double>();
-    text += out.str();
-  }
-  if (!set.is_regular())
-    warnings.push_back("edges and points without area are shown in pictures and kept in .qarr only");
-  const std::vector<Target> targets = targets_of(options);
-  if (std::any_of(targets.begin(), targets.end(),
-                  [](const Target& target) { return target.kind == Target::Kind::planar; })) {
-    const SetDrawing drawn = draw_set(set, context);
-    json["rounding"] = {{"max_displacement", drawn.max_displacement}, {"rounds", drawn.rounds}};
-    if (drawn.vanished_rings > 0) {
-      warnings.push_back(std::to_string(drawn.vanished_rings) + " rings are too thin to be written in doubles");
-    }
-    write_drawings(drawn.drawing, options, warnings, context);
-  }
-  write_set_picture(set, options);
-  write_exact_targets(set, {}, options);
-  print_report(std::move(json), text + "\n", warnings, options);
-  return 0;
-}
 
 SetOperation operation_of(const std::string& name) {
   static const std::map<std::string, SetOperation> operations{{"union", SetOperation::unite},
@@ -155,15 +24,10 @@ SetOperation operation_of(const std::string& name) {
 }
 
 template <class F>
-PolygonSet<F> combine_plainly(const Regions<F>& regions, FillRule rule, SetOperation operation,
-                              const Context& context) {
+PolygonSet<F> combine_plainly(const Regions<F>& regions, SetOperation operation, const Context& context) {
   std::vector<PolygonSet<F>> sets;
   for (std::uint32_t operand = 0; operand < regions.groups.operand_count; ++operand) {
-    // The others' elements become an operand that is no part of a union of one.
-    RegionGroups groups = regions.groups;
-    for (std::uint32_t& of : groups.operand_of_element) of = of == operand ? 0 : 1;
-    groups.operand_count = 2;
-    sets.push_back(combine_regions(regions.drawn, groups, rule, SetOperation::first));
+    sets.push_back(set_of_operand(regions, operand));
   }
   std::vector<const PolygonSet<F>*> pointers;
   for (const PolygonSet<F>& set : sets) pointers.push_back(&set);
@@ -196,24 +60,53 @@ PolygonSet<F> combine_sets(std::span<const PlanarInput> inputs, std::vector<std:
 }
 
 template <class F>
+int finish_set(const PolygonSet<F>& set, const std::vector<std::string>& warnings, const Options& options,
+               const Context& context) {
+  SetReport report{{{"operation", options.operation}}, {}, warnings};
+  describe_set(set, report);
+  write_set(set, report, options, context);
+  write_set_picture(set, options);
+  print_report(std::move(report.json), report.text + "\n", report.warnings, options);
+  return 0;
+}
+
+template <class F>
 int combine_with(std::span<const PlanarInput> inputs, std::vector<std::string>& warnings, const Options& options,
                  const Context& context) {
   if (std::any_of(inputs.begin(), inputs.end(), [](const PlanarInput& input) { return input.exact.has_value(); })) {
-    const PolygonSet<F> set = combine_sets<F>(inputs, warnings, options, context);
-    return report_set(set, warnings, {{"operation", options.operation}}, options, context);
+    return finish_set(combine_sets<F>(inputs, warnings, options, context), warnings, options, context);
   }
-  const std::optional<FillRule> rule = fill_rule(options);
-  const Regions<F> regions = read_regions<F>(inputs, rule, warnings, context);
-  const FillRule reading = rule.value_or(FillRule::even_odd);
+  const Regions<F> regions = read_regions<F>(inputs, fill_rule(options), warnings, context);
   const SetOperation operation = operation_of(options.operation);
-  const PolygonSet<F> set = options.plain ? combine_plainly(regions, reading, operation, context)
-                                          : combine_regions(regions.drawn, regions.groups, reading, operation);
-  return report_set(set, warnings, {{"operation", options.operation}}, options, context);
+  return finish_set(options.plain ? combine_plainly(regions, operation, context)
+                                  : combine_regions(regions.drawn, regions.groups, regions.fill, operation),
+                    warnings, options, context);
+}
+
+/// Refuses options that say nothing to the operation.
+void require_fitting_options(const Options& options) {
+  const bool is_sum = options.operation == "minkowski";
+  const bool is_offset = options.operation == "offset";
+  const auto refuse = [](const std::string& option, const std::string& owner) {
+    throw UsageError(option + " is of " + owner);
+  };
+  if (!is_offset && !options.distance.empty()) refuse("--distance", "polygon offset");
+  if (!is_offset && !options.precision.empty()) refuse("--precision", "polygon offset");
+  if (!is_offset && options.inner) refuse("--inner", "polygon offset");
+  if (!is_sum && options.tight) refuse("--tight", "polygon minkowski");
+  if (!is_sum && options.reflect) refuse("--reflect", "polygon minkowski");
+  if ((is_sum || is_offset) && options.plain) refuse("--plain", "union, intersection, difference and xor");
+  if (is_sum && options.inputs.size() != 2) throw UsageError("polygon minkowski takes two files");
+  if (is_offset && options.inputs.size() != 1) throw UsageError("polygon offset takes one file");
 }
 
 }  // namespace
 
 int run_polygon(const Options& options, const Context& context) {
+  require_fitting_options(options);
+  (void)fill_rule(options);  // refused before anything is read
+  if (options.operation == "minkowski") return run_minkowski(options, context);
+  if (options.operation == "offset") return run_offset(options, context);
   std::vector<std::string> warnings;
   const std::vector<PlanarInput> inputs = read_drawings(options, warnings, context);
   return any_arcs(inputs) ? combine_with<CircularFamily>(inputs, warnings, options, context)

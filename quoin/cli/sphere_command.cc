@@ -20,7 +20,7 @@ namespace {
 void write_page(const GeodesicArrangement& arrangement, const std::vector<std::string>& names, const Target& target,
                 const Options& options) {
   ArrangementPictureOptions how;
-  how.title = title_of(options.inputs.front());
+  how.title = planar_title(options);
   how.number_faces = how.number_edges = how.number_vertices = options.labels;
   how.curve_name = [&](CurveId curve) { return names[curve.index()]; };
   const SpherePicture picture = sphere_picture_of(arrangement, how);

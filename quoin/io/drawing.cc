@@ -186,7 +186,7 @@ std::vector<std::string> write_drawing(std::ostream& out, DrawingFormat format, 
   io::DrawingNotes notes;
   switch (format) {
     case DrawingFormat::wkt:
-      io::write_wkt(out, drawing, notes, context);
+      io::write_wkt(out, drawing, options, notes, context);
       break;
     case DrawingFormat::geojson:
       io::write_geojson(out, drawing, options, notes, context);

@@ -106,6 +106,10 @@ struct DrawingWriteOptions {
   /// Arcs in formats without arcs (GeoJSON) become chains of chords no further than this from them; else they are
   /// refused.
   std::optional<double> flatten_tolerance;
+  /// WKT: all elements as one geometry, so that programs that read one geometry get everything. Polygons become a
+  /// MULTIPOLYGON, or a MULTISURFACE where some have arcs, and likewise paths and points; elements of several kinds a
+  /// GEOMETRYCOLLECTION; one element stays as it is; none are a POLYGON EMPTY.
+  bool as_one_geometry = false;
 };
 
 /// Writes a drawing with the shortest decimals that read back to the same doubles, and returns notes of what the format

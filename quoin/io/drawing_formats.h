@@ -21,7 +21,8 @@ Drawing read_dxf(std::string_view text, const std::string& name, const DrawingRe
                  const Context& context);
 
 /// One writer per format, for elements that check_structure has let pass. @throws InputError
-void write_wkt(std::ostream& out, const Drawing& drawing, DrawingNotes& notes, const Context& context);
+void write_wkt(std::ostream& out, const Drawing& drawing, const DrawingWriteOptions& options, DrawingNotes& notes,
+               const Context& context);
 void write_geojson(std::ostream& out, const Drawing& drawing, const DrawingWriteOptions& options, DrawingNotes& notes,
                    const Context& context);
 void write_svg(std::ostream& out, const Drawing& drawing, DrawingNotes& notes, const Context& context);

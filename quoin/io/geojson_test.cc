@@ -122,5 +122,12 @@ TEST(GeoJson, NamesThatAreNotUtf8AreRefused) {
   EXPECT_THROW(write_drawing(out, DrawingFormat::geojson, drawing, {}, context), InputError);
 }
 
+TEST(GeoJson, NothingIsACollectionToo) {
+  std::vector<std::string> notes;
+  const std::string text = testing::written(DrawingFormat::geojson, {}, notes);
+  EXPECT_EQ(text, "{\"type\":\"FeatureCollection\",\"features\":[\n]}\n");
+  EXPECT_TRUE(read_drawing(text, "a.geojson", {}, testing::context).elements.empty());
+}
+
 }  // namespace
 }  // namespace quoin

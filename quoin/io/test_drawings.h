@@ -28,10 +28,11 @@ std::string error_of(const Call& call) {
 }
 
 /// The text of a drawing, empty if it is refused.
-inline std::string written(DrawingFormat format, const Drawing& drawing, std::vector<std::string>& notes) {
+inline std::string written(DrawingFormat format, const Drawing& drawing, std::vector<std::string>& notes,
+                           const DrawingWriteOptions& options = {}) {
   std::ostringstream out;
   try {
-    notes = write_drawing(out, format, drawing, {}, context);
+    notes = write_drawing(out, format, drawing, options, context);
   } catch (const InputError&) {
     return "";
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "quoin/io/test_drawings.h"
 
 namespace quoin {
@@ -122,6 +124,62 @@ TEST(Wkt, WritesWhatOthersRead) {
             "CURVEPOLYGON (COMPOUNDCURVE (CIRCULARSTRING (0 0, 0.5 -0.5, 1 0), (1 0, 0 0)))\n"
             "CIRCULARSTRING (1 0, 0 1, -1 0)\n");
   EXPECT_TRUE(notes.empty());
+}
+
+Drawing drawing_of(std::vector<DrawingElement> elements) {
+  return {std::move(elements), {}};
+}
+
+std::string as_one(const Drawing& drawing) {
+  std::vector<std::string> notes;
+  DrawingWriteOptions options;
+  options.as_one_geometry = true;
+  return testing::written(DrawingFormat::wkt, drawing, notes, options);
+}
+
+TEST(Wkt, OneGeometry) {
+  const DrawingElement point{Point2{1, 2}, "p", ""};
+  const DrawingElement line{DrawingPath{{{0, 0}, {4, 0}}, {}, false}, "l", ""};
+  const DrawingElement arc{DrawingPath{{{1, 0}, {-1, 0}}, {1}, false}, "a", ""};
+  const DrawingElement circle{DrawingCircle{{2, 1}, 2}, "c", ""};
+  const DrawingElement triangle{DrawingPolygon{{DrawingPath{{{0, 0}, {1, 0}, {1, 1}}, {}, true}}, FillRule::even_odd},
+                                "t", ""};
+  const DrawingElement disc{DrawingPolygon{{DrawingPath{{{0, 0}, {1, 0}}, {1, 1}, true}}, FillRule::even_odd}, "d", ""};
+  EXPECT_EQ(as_one({}), "POLYGON EMPTY\n");
+  EXPECT_EQ(as_one(drawing_of({triangle})), "POLYGON ((0 0, 1 0, 1 1, 0 0))\n");
+  EXPECT_EQ(as_one(drawing_of({circle})), "CIRCULARSTRING (0 1, 4 1, 0 1)\n");
+  EXPECT_EQ(as_one(drawing_of({triangle, triangle})),
+            "MULTIPOLYGON (((0 0, 1 0, 1 1, 0 0)), ((0 0, 1 0, 1 1, 0 0)))\n");
+  EXPECT_EQ(
+      as_one(drawing_of({triangle, disc})),
+      "MULTISURFACE (((0 0, 1 0, 1 1, 0 0)), CURVEPOLYGON (CIRCULARSTRING (0 0, 0.5 -0.5, 1 0, 0.5 0.5, 0 0)))\n");
+  EXPECT_EQ(as_one(drawing_of({line, line})), "MULTILINESTRING ((0 0, 4 0), (0 0, 4 0))\n");
+  EXPECT_EQ(as_one(drawing_of({line, arc, circle})),
+            "MULTICURVE ((0 0, 4 0), CIRCULARSTRING (1 0, 0 1, -1 0), CIRCULARSTRING (0 1, 4 1, 0 1))\n");
+  EXPECT_EQ(as_one(drawing_of({point, point})), "MULTIPOINT ((1 2), (1 2))\n");
+  EXPECT_EQ(as_one(drawing_of({point, line, triangle})),
+            "GEOMETRYCOLLECTION (POINT (1 2), LINESTRING (0 0, 4 0), POLYGON ((0 0, 1 0, 1 1, 0 0)))\n");
+}
+
+// As one geometry or one by one, the same shapes come back.
+TEST(Wkt, OneGeometryIsReadBack) {
+  testing::Random random(11);
+  std::size_t compared = 0;
+  for (int round = 0; round < 2000; ++round) {
+    testing::Family family;
+    family.has_arcs = round % 2 == 0;
+    family.has_points = family.has_circles = family.has_closed_paths = round % 4 < 2;
+    const Drawing drawing = testing::random_drawing(random, family);
+    std::vector<std::string> notes;
+    const std::string one_by_one = testing::written(DrawingFormat::wkt, drawing, notes);
+    const std::string text = as_one(drawing);
+    ASSERT_EQ(one_by_one.empty(), text.empty()) << round;
+    if (text.empty()) continue;
+    ASSERT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << text;
+    ASSERT_TRUE(testing::shapes_equal(wkt(text), wkt(one_by_one))) << text << one_by_one;
+    ++compared;
+  }
+  EXPECT_GT(compared, 1000U);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -16,14 +17,70 @@ class WktWriter {
   WktWriter(std::ostream& out, DrawingNotes& notes) : out_(out), notes_(notes) {}
 
   void write(const DrawingElement& element) {
+    geometry(element, true);
+    out_ << "\n";
+  }
+
+  void write_as_one(const std::vector<DrawingElement>& elements, const Context& context) {
+    if (elements.empty()) {
+      out_ << "POLYGON EMPTY\n";
+      return;
+    }
+    if (elements.size() == 1) return write(elements.front());
+    const std::string_view keyword = keyword_of(elements);
+    out_ << keyword << " (";
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+      context.poll();
+      if (i > 0) out_ << ", ";
+      geometry(elements[i], keyword == collection);
+    }
+    out_ << ")\n";
+  }
+
+ private:
+  static constexpr std::string_view collection = "GEOMETRYCOLLECTION";
+
+  static bool has_arcs(const DrawingPolygon& polygon) {
+    return std::any_of(polygon.rings.begin(), polygon.rings.end(),
+                       [](const DrawingPath& ring) { return !ring.bulges.empty(); });
+  }
+
+  static bool has_arcs(const DrawingElement& element) {
+    if (const auto* path = std::get_if<DrawingPath>(&element.shape)) return !path->bulges.empty();
+    if (const auto* polygon = std::get_if<DrawingPolygon>(&element.shape)) return has_arcs(*polygon);
+    return element.kind() == DrawingKind::circle;
+  }
+
+  // What holds all of them.
+  static std::string_view keyword_of(const std::vector<DrawingElement>& elements) {
+    const auto kind = [](const DrawingElement& element) {  // a circle is a curve, as a path is
+      return element.kind() == DrawingKind::circle ? DrawingKind::path : element.kind();
+    };
+    bool is_curved = false;
+    for (const DrawingElement& element : elements) {
+      if (kind(element) != kind(elements.front())) return collection;
+      is_curved = is_curved || has_arcs(element);
+    }
+    switch (kind(elements.front())) {
+      case DrawingKind::point:
+        return "MULTIPOINT";
+      case DrawingKind::polygon:
+        return is_curved ? "MULTISURFACE" : "MULTIPOLYGON";
+      default:
+        return is_curved ? "MULTICURVE" : "MULTILINESTRING";
+    }
+  }
+
+  // Members of a MULTI... that are as plain as its name says have no keyword of their own.
+  void geometry(const DrawingElement& element, bool has_keyword) {
     if (!element.layer.empty()) notes_.count("layers are not kept", element.name);
     if (const auto* point = std::get_if<Point2>(&element.shape)) {
-      out_ << "POINT (";
+      out_ << (has_keyword ? "POINT (" : "(");
       vertex(*point);
       out_ << ")";
     } else if (const auto* path = std::get_if<DrawingPath>(&element.shape)) {
       note_open_end(*path, element.name, notes_);
-      curve(*path, element.name, "LINESTRING ");
+      curve(*path, element.name, has_keyword ? "LINESTRING " : "");
     } else if (const auto* circle = std::get_if<DrawingCircle>(&element.shape)) {
       const DrawingPath halves = circle_path(*circle, notes_, element.name);
       out_ << "CIRCULARSTRING (";
@@ -34,17 +91,13 @@ class WktWriter {
       }
       out_ << ")";
     } else {
-      polygon(std::get<DrawingPolygon>(element.shape), element.name);
+      polygon(std::get<DrawingPolygon>(element.shape), element.name, has_keyword);
     }
-    out_ << "\n";
   }
 
- private:
-  void polygon(const DrawingPolygon& polygon, const std::string& element) {
+  void polygon(const DrawingPolygon& polygon, const std::string& element, bool has_keyword) {
     if (polygon.fill == FillRule::nonzero) notes_.count("the fill rule nonzero is not kept", element);
-    bool has_arcs = false;
-    for (const DrawingPath& ring : polygon.rings) has_arcs |= !ring.bulges.empty();
-    out_ << (has_arcs ? "CURVEPOLYGON (" : "POLYGON (");
+    out_ << (has_arcs(polygon) ? "CURVEPOLYGON (" : has_keyword ? "POLYGON (" : "(");
     for (std::size_t r = 0; r < polygon.rings.size(); ++r) {
       if (r > 0) out_ << ", ";
       curve(polygon.rings[r], element, "");
@@ -104,8 +157,10 @@ class WktWriter {
 
 }  // namespace
 
-void write_wkt(std::ostream& out, const Drawing& drawing, DrawingNotes& notes, const Context& context) {
+void write_wkt(std::ostream& out, const Drawing& drawing, const DrawingWriteOptions& options, DrawingNotes& notes,
+               const Context& context) {
   WktWriter writer(out, notes);
+  if (options.as_one_geometry) return writer.write_as_one(drawing.elements, context);
   for (const DrawingElement& element : drawing.elements) {
     context.poll();
     writer.write(element);

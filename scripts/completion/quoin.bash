@@ -2,20 +2,36 @@
 # Completion of quoin(1) for bash.
 _quoin() {
   local word="${COMP_WORDS[COMP_CWORD]}" previous="${COMP_WORDS[COMP_CWORD - 1]}"
-  local commands="union intersection difference xor csg info check repair convert view classify section interfere envelope"
+  local commands="union intersection difference xor csg info check repair convert view classify section interfere \
+arrange overlay locate polygon envelope"
   local common="--json --threads --timeout --seed --weld -q --quiet -v --verbose -h --help"
   local makes="-o --output --format --accept-rounding"
+  local draws="-o --output --format --labels"
+  local operations="union intersection difference xor minkowski offset"
   COMPREPLY=()
   if [[ $COMP_CWORD -eq 1 ]]; then
     mapfile -t COMPREPLY < <(compgen -W "$commands --help --version" -- "$word")
     return
   fi
+  if [[ $COMP_CWORD -eq 2 && ${COMP_WORDS[1]} == polygon && $word != -* ]]; then
+    mapfile -t COMPREPLY < <(compgen -W "$operations" -- "$word")
+    return
+  fi
   case "$previous" in
     --format)
-      mapfile -t COMPREPLY < <(compgen -W "off obj stl ply qsolid html" -- "$word")
+      local formats="off obj stl ply qsolid html"
+      case "${COMP_WORDS[1]}" in
+        arrange | overlay | locate) formats="svg html" ;;
+        polygon) formats="wkt geojson dxf svg html" ;;
+      esac
+      mapfile -t COMPREPLY < <(compgen -W "$formats" -- "$word")
       return
       ;;
-    --threads | --timeout | --seed | --weld | --point | --line | --plane) return ;;
+    --fill)
+      mapfile -t COMPREPLY < <(compgen -W "even-odd nonzero positive" -- "$word")
+      return
+      ;;
+    --threads | --timeout | --seed | --weld | --point | --line | --plane | --flatten | --distance | --precision) return ;;
   esac
   if [[ $word == -* ]]; then
     local options="$common"
@@ -23,6 +39,10 @@ _quoin() {
       union | intersection | difference | xor | csg | repair | convert | view) options+=" $makes" ;;
       classify) options+=" --point --points --line" ;;
       section) options+=" --plane -o --output" ;;
+      arrange) options+=" $draws --sphere" ;;
+      overlay) options+=" $draws" ;;
+      locate) options+=" $draws --point --points" ;;
+      polygon) options+=" $draws --fill --flatten --plain --distance --precision --inner --tight --reflect" ;;
       envelope) options+=" -o --output --format --labels --upper --flatten" ;;
     esac
     mapfile -t COMPREPLY < <(compgen -W "$options" -- "$word")
