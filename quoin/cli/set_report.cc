@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "quoin/arrangement/circular_shapes.h"
+#include "quoin/arrangement/planar_area.h"
 #include "quoin/cli/exact_targets.h"
 #include "quoin/cli/planar.h"
 #include "quoin/cli/targets.h"
@@ -15,10 +16,18 @@ namespace quoin::cli {
 
 using Json = nlohmann::ordered_json;
 
+namespace {
+
+constexpr std::size_t short_boundary = 2000;  // edges up to which the exact area is worked out
+constexpr std::size_t short_number = 60;      // digits up to which it is printed
+
+}  // namespace
+
 void add_area(const LinearPolygonSet& set, Json& json) {
-  const Rational exact = area(set);
-  json["area"] = exact.to_double();
-  json["exact_area"] = exact.to_string();
+  json["area"] = rounded_area(set);
+  if (set.arrangement().edge_count() > short_boundary) return;
+  const std::string exact = area(set).to_string();
+  if (exact.size() <= short_number) json["exact_area"] = exact;
 }
 
 void add_area(const CircularPolygonSet& set, Json& json) {
@@ -70,8 +79,10 @@ void write_set(const PolygonSet<F>& set, SetReport& report, const Options& optio
     return;
   }
   const SetDrawing drawn = draw_set(set, context);
-  report.json["rounding"] = {{"max_displacement", drawn.max_displacement}, {"rounds", drawn.rounds}};
-  if (drawn.vanished_rings > 0) {
+  report.json["rounding"] = {
+      {"max_displacement", drawn.max_displacement}, {"rounds", drawn.rounds}, {"vanished_rings", drawn.vanished_rings}};
+  if (drawn.vanished_rings == 1) report.warnings.emplace_back("a ring is too thin to be written in doubles");
+  if (drawn.vanished_rings > 1) {
     report.warnings.push_back(std::to_string(drawn.vanished_rings) + " rings are too thin to be written in doubles");
   }
   write_drawings(drawn.drawing, options, report.warnings, context);

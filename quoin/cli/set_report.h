@@ -19,7 +19,7 @@ struct SetReport {
   std::vector<std::string> warnings;
 };
 
-/// Adds `area`, and `exact_area` or a bound `area_error`.
+/// Adds `area`, and `exact_area` where it is short, or a bound `area_error`.
 void add_area(const LinearPolygonSet& set, nlohmann::ordered_json& json);
 void add_area(const CircularPolygonSet& set, nlohmann::ordered_json& json);
 
