@@ -6,6 +6,7 @@
 #include <cctype>
 #include <filesystem>
 #include <sstream>
+#include <system_error>
 
 #include "quoin/cli/failure.h"
 #include "quoin/cli/inputs.h"
@@ -32,7 +33,8 @@ bool is_wkt(const std::string& text) {
 }
 
 bool is_literal(const std::string& input) {
-  return input != standard_stream && is_wkt(input) && !std::filesystem::exists(input);
+  std::error_code ignored;  // a text may be too long to be a name
+  return input != standard_stream && is_wkt(input) && !std::filesystem::exists(input, ignored);
 }
 
 PlanarInput read_exact(const std::string& input, std::string_view text, const Context& context) {

@@ -159,16 +159,25 @@ SetDrawing draw_set(const CircularPolygonSet& set, const Context&) {
     for (const dcel::HalfedgeId h : ring.halfedges) {
       const Point2 from = position(arrangement.cells().origin(h));
       const Point2 to = position(arrangement.cells().target(h));
+      if (from == to) continue;  // too short for doubles
       path.points.push_back(from);
       path.bulges.push_back(bulge_of(arrangement, h, from, to));
       is_curved = is_curved || path.bulges.back() != 0;
     }
     if (!is_curved) path.bulges.clear();
-    drawn.rings.push_back(std::move(path));
+    if (path.points.size() < (is_curved ? 2 : 3)) {
+      ++report.vanished_rings;
+    } else {
+      drawn.rings.push_back(std::move(path));
+    }
   };
   for (const PolygonWithHoles& polygon : polygons_of(set)) {
     DrawingPolygon drawn;
     add_ring(polygon.outer, drawn);
+    if (drawn.rings.empty()) {
+      report.vanished_rings += polygon.holes.size();
+      continue;
+    }
     for (const PolygonRing& hole : polygon.holes) add_ring(hole, drawn);
     report.drawing.elements.push_back(polygon_element(std::move(drawn), report.drawing.elements.size() + 1));
   }

@@ -130,6 +130,21 @@ class Polygon(PlanarTest):
         self.assert_holds(self.polygon("difference", "a.wkt", "b.wkt", FAR), area=12)
         self.assert_holds(self.polygon("union", "a.wkt"), area=16)
 
+    def test_exact_areas_are_given_where_they_are_short(self):
+        self.assert_holds(self.polygon("union", "POLYGON ((0 0, 0.1 0, 0 0.1, 0 0))"), area=0.005000000000000001)
+        ring = [(math.cos(i * math.pi / 1500), math.sin(i * math.pi / 1500)) for i in range(3000)]
+        wheel = "POLYGON ((" + ", ".join(f"{x!r} {y!r}" for x, y in ring + ring[:1]) + "))"
+        report = self.polygon("intersection", wheel, "POLYGON ((0 0, 2 1, 1 2, 0 0))")
+        self.assertNotIn("exact_area", report)
+        self.assertAlmostEqual(report["area"], math.atan(0.75) / 2, places=5)
+
+    def test_rings_that_doubles_cannot_hold(self):
+        sliver = "POLYGON ((0 1000, 3 1001, 3 1001.0000000000001, 0 1000))"
+        report = self.polygon("intersection", sliver, "POLYGON ((0.25 0, 0.375 0, 0.375 2000, 0.25 2000, 0.25 0))", "-o", "t.wkt")
+        self.assert_holds(report["rounding"], vanished_rings=1)
+        self.assertIn("a ring is too thin to be written in doubles", report["warnings"])
+        self.assertEqual(self.read("t.wkt"), b"POLYGON EMPTY\n")
+
     def test_standard_output_is_one_geometry(self):
         def out(*words):
             return self.run_quoin("polygon", *words, "-o", "-").stdout
