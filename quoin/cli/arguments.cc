@@ -193,7 +193,8 @@ void add_commands(CLI::App& app, Options& options) {
 
 std::optional<int> parse_arguments(int argc, char** argv, Options& options) {
   CLI::App app(
-      "Quoin: exact Booleans of solids.\n\nExit codes: 0 done, 1 refused with a reason, 2 usage, 3 file trouble, 4 "
+      "Quoin: exact Booleans of solids, arrangements and polygons of the plane.\n\nExit codes: 0 done, 1 refused with "
+      "a reason, 2 usage, 3 file trouble, 4 "
       "cancelled or out of time.");
   app.name("quoin");
   app.set_version_flag("--version", "quoin " QUOIN_VERSION);
