@@ -147,8 +147,8 @@ void write_drawings(const Drawing& drawing, const Options& options, std::vector<
     } else {
       notes = write_drawing(target.name, target.planar_format, drawing, how, context);
     }
-    const std::string name = target.is_stream() ? "standard output" : target.name;
-    for (const std::string& note : notes) warnings.push_back(name + ": " + note);
+    const std::string prefix = (target.is_stream() ? "standard output" : target.name) + ": ";
+    for (const std::string& note : notes) warnings.push_back(prefix + note);
   }
 }
 
