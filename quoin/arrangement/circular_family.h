@@ -142,7 +142,7 @@ class CircularFamily {
     double half_y = 0;
   };
 
-  CurveId append_circle(Pieces& list, CircularSupportId circle);
+  CurveId append_circle(Pieces& list, CircularSupportId circle) const;
   template <class Coordinates>
   CurveId append_segment(Pieces& list, const Coordinates& from, const Coordinates& to, std::string_view name);
   bool walks_upper(CircularSupportId circle, const Point& p, bool leaving) const;

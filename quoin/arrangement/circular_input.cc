@@ -191,7 +191,7 @@ bool CircularFamily::put_on(Point& p, CircularSupportId support) const {
   return true;
 }
 
-CurveId CircularFamily::append_circle(Pieces& list, CircularSupportId circle) {
+CurveId CircularFamily::append_circle(Pieces& list, CircularSupportId circle) const {
   const CurveId curve = next_curve(list);
   const std::uint32_t left = list.add_point(extreme(circle, false));
   const std::uint32_t right = list.add_point(extreme(circle, true));

@@ -14,9 +14,9 @@ class Location {
   enum class Kind : std::uint8_t { vertex, edge, face };
 
   constexpr Location() = default;
-  constexpr Location(dcel::VertexId v) : kind_(Kind::vertex), index_(v.value) {}
-  constexpr Location(dcel::EdgeId e) : kind_(Kind::edge), index_(e.value) {}
-  constexpr Location(dcel::FaceId f) : kind_(Kind::face), index_(f.value) {}
+  constexpr Location(dcel::VertexId v) : kind_(Kind::vertex), index_(v.value) {}  // NOLINT(google-explicit-constructor)
+  constexpr Location(dcel::EdgeId e) : kind_(Kind::edge), index_(e.value) {}  // NOLINT(google-explicit-constructor)
+  constexpr Location(dcel::FaceId f) : index_(f.value) {}  // NOLINT(google-explicit-constructor)
 
   constexpr Kind kind() const { return kind_; }
   constexpr bool is_vertex() const { return kind_ == Kind::vertex; }
