@@ -15,8 +15,8 @@ class Location {
 
   constexpr Location() = default;
   constexpr Location(dcel::VertexId v) : kind_(Kind::vertex), index_(v.value) {}  // NOLINT(google-explicit-constructor)
-  constexpr Location(dcel::EdgeId e) : kind_(Kind::edge), index_(e.value) {}  // NOLINT(google-explicit-constructor)
-  constexpr Location(dcel::FaceId f) : index_(f.value) {}  // NOLINT(google-explicit-constructor)
+  constexpr Location(dcel::EdgeId e) : kind_(Kind::edge), index_(e.value) {}      // NOLINT(google-explicit-constructor)
+  constexpr Location(dcel::FaceId f) : index_(f.value) {}                         // NOLINT(google-explicit-constructor)
 
   constexpr Kind kind() const { return kind_; }
   constexpr bool is_vertex() const { return kind_ == Kind::vertex; }
