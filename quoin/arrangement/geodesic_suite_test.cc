@@ -8,7 +8,6 @@
 #include "quoin/arrangement/family_suite.h"
 #include "quoin/arrangement/geodesic_family.h"
 #include "quoin/arrangement/test_geodesics.h"
-#include "quoin/base/test_rounds.h"
 
 namespace quoin {
 namespace {
@@ -58,7 +57,7 @@ std::vector<Arc> draw_arcs(Directions& directions, std::size_t count) {
 TEST(GeodesicSuite, LawsOfCurveFamilies) {
   testing::FamilyCases cases;
   for (const Draw draw : all_draws) {
-    for (std::uint64_t seed = 0; seed < test_rounds(40U); ++seed) {
+    for (std::uint64_t seed = 0; seed < 40; ++seed) {
       SCOPED_TRACE("draw " + std::to_string(static_cast<int>(draw)) + " seed " + std::to_string(seed));
       Directions directions(draw, seed);
       GeodesicFamily family;
