@@ -4,12 +4,12 @@
 #include <memory>
 #include <stdexcept>
 
-#include "quoin/arrangement/circular_polygon_set.h"
-#include "quoin/arrangement/circular_shapes.h"
-#include "quoin/arrangement/geodesic_polygon_set.h"
-#include "quoin/arrangement/linear_location.h"
-#include "quoin/arrangement/linear_polygon_set.h"
-#include "quoin/arrangement/planar_minkowski.h"
+#include "quoin/arrangement/circular/circular_polygon_set.h"
+#include "quoin/arrangement/circular/circular_shapes.h"
+#include "quoin/arrangement/geodesic/geodesic_polygon_set.h"
+#include "quoin/arrangement/linear/linear_location.h"
+#include "quoin/arrangement/linear/linear_polygon_set.h"
+#include "quoin/arrangement/sets/planar_minkowski.h"
 
 namespace bench {
 

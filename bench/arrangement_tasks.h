@@ -10,7 +10,7 @@
 
 #include "arrangement_input.h"
 #include "peak_memory.h"
-#include "quoin/arrangement/dcel.h"
+#include "quoin/arrangement/cells/dcel.h"
 #include "quoin/base/context.h"
 
 /// Operations that arrangement_bench times.

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "quoin/arrangement/dcel.h"
-#include "quoin/arrangement/history.h"
-#include "quoin/arrangement/observer.h"
+#include "quoin/arrangement/cells/dcel.h"
+#include "quoin/arrangement/cells/history.h"
+#include "quoin/arrangement/edit/observer.h"
 #include "quoin/arrangement/pieces.h"
 #include "quoin/base/context.h"
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "quoin/arrangement/arrangement.h"
-#include "quoin/arrangement/build_visitor.h"
-#include "quoin/arrangement/sweep_impl.h"
+#include "quoin/arrangement/sweep/build_visitor.h"
+#include "quoin/arrangement/sweep/sweep_impl.h"
 
 /// Bodies of Arrangement, for the one source file per family that instantiates it.
 namespace quoin {

@@ -5,7 +5,7 @@
 
 #include <random>
 
-#include "quoin/arrangement/linear_arrangement.h"
+#include "quoin/arrangement/linear/linear_arrangement.h"
 
 namespace quoin {
 namespace {

@@ -7,8 +7,8 @@
 #include <random>
 #include <vector>
 
-#include "quoin/arrangement/circular_arrangement.h"
-#include "quoin/arrangement/geodesic_arrangement.h"
+#include "quoin/arrangement/circular/circular_arrangement.h"
+#include "quoin/arrangement/geodesic/geodesic_arrangement.h"
 
 namespace quoin {
 namespace {

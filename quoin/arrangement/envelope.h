@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "quoin/arrangement/location.h"
+#include "quoin/arrangement/location/location.h"
 #include "quoin/arrangement/pieces.h"
 #include "quoin/base/context.h"
 

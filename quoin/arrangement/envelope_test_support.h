@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "quoin/arrangement/circular_envelope.h"
-#include "quoin/arrangement/circular_oracle.h"
-#include "quoin/arrangement/linear_envelope.h"
+#include "quoin/arrangement/circular/circular_envelope.h"
+#include "quoin/arrangement/circular/circular_oracle.h"
+#include "quoin/arrangement/linear/linear_envelope.h"
 
 /// Envelopes by definition: at every x where something could change, and between, all pieces are compared by numbers
 /// of another kind than those of the families. Cubic in the number of pieces.

@@ -3,11 +3,11 @@
 #include <fstream>
 #include <sstream>
 
-#include "quoin/arrangement/circular_arrangement.h"
-#include "quoin/arrangement/circular_location.h"
-#include "quoin/arrangement/circular_polygon_set.h"
-#include "quoin/arrangement/linear_location.h"
-#include "quoin/arrangement/linear_polygon_set.h"
+#include "quoin/arrangement/circular/circular_arrangement.h"
+#include "quoin/arrangement/circular/circular_location.h"
+#include "quoin/arrangement/circular/circular_polygon_set.h"
+#include "quoin/arrangement/linear/linear_location.h"
+#include "quoin/arrangement/linear/linear_polygon_set.h"
 #include "quoin/cli/commands.h"
 #include "quoin/cli/coordinates.h"
 #include "quoin/cli/exact_targets.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "quoin/arrangement/linear_polygon_set.h"
+#include "quoin/arrangement/linear/linear_polygon_set.h"
 #include "quoin/base/context.h"
 #include "quoin/cli/options.h"
 #include "quoin/cli/planar.h"

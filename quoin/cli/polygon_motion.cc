@@ -4,9 +4,9 @@
 #include <array>
 #include <sstream>
 
-#include "quoin/arrangement/planar_minkowski.h"
-#include "quoin/arrangement/planar_motion.h"
-#include "quoin/arrangement/planar_offset.h"
+#include "quoin/arrangement/sets/planar_minkowski.h"
+#include "quoin/arrangement/sets/planar_motion.h"
+#include "quoin/arrangement/sets/planar_offset.h"
 #include "quoin/cli/coordinates.h"
 #include "quoin/cli/failure.h"
 #include "quoin/cli/planar.h"

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <sstream>
 
-#include "quoin/arrangement/circular_shapes.h"
-#include "quoin/arrangement/planar_area.h"
+#include "quoin/arrangement/circular/circular_shapes.h"
+#include "quoin/arrangement/sets/planar_area.h"
 #include "quoin/cli/exact_targets.h"
 #include "quoin/cli/planar.h"
 #include "quoin/cli/targets.h"

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "quoin/arrangement/circular_polygon_set.h"
-#include "quoin/arrangement/linear_polygon_set.h"
+#include "quoin/arrangement/circular/circular_polygon_set.h"
+#include "quoin/arrangement/linear/linear_polygon_set.h"
 #include "quoin/base/context.h"
 #include "quoin/cli/options.h"
 

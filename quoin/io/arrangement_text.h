@@ -10,9 +10,9 @@
 #include <variant>
 #include <vector>
 
-#include "quoin/arrangement/circular_polygon_set.h"
-#include "quoin/arrangement/geodesic_polygon_set.h"
-#include "quoin/arrangement/linear_polygon_set.h"
+#include "quoin/arrangement/circular/circular_polygon_set.h"
+#include "quoin/arrangement/geodesic/geodesic_polygon_set.h"
+#include "quoin/arrangement/linear/linear_polygon_set.h"
 #include "quoin/base/context.h"
 
 namespace quoin {

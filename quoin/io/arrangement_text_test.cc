@@ -7,8 +7,8 @@
 #include <sstream>
 #include <string>
 
-#include "quoin/arrangement/linear_editing.h"
-#include "quoin/arrangement/test_geodesics.h"
+#include "quoin/arrangement/geodesic/test_geodesics.h"
+#include "quoin/arrangement/linear/linear_editing.h"
 #include "quoin/base/error.h"
 
 namespace quoin {

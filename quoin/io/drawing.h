@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-#include "quoin/arrangement/fill_rule.h"
+#include "quoin/arrangement/sets/fill_rule.h"
 #include "quoin/base/context.h"
 #include "quoin/kernel/point.h"
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "quoin/arrangement/circular_family.h"
-#include "quoin/arrangement/linear_family.h"
+#include "quoin/arrangement/circular/circular_family.h"
+#include "quoin/arrangement/linear/linear_family.h"
 #include "quoin/io/drawing.h"
 
 namespace quoin {

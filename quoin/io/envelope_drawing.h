@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "quoin/arrangement/circular_envelope.h"
-#include "quoin/arrangement/linear_envelope.h"
+#include "quoin/arrangement/circular/circular_envelope.h"
+#include "quoin/arrangement/linear/linear_envelope.h"
 #include "quoin/io/drawing.h"
 
 namespace quoin {

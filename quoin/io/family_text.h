@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "quoin/arrangement/circular_family.h"
-#include "quoin/arrangement/geodesic_family.h"
-#include "quoin/arrangement/linear_family.h"
+#include "quoin/arrangement/circular/circular_family.h"
+#include "quoin/arrangement/geodesic/geodesic_family.h"
+#include "quoin/arrangement/linear/linear_family.h"
 #include "quoin/io/exact_lines.h"
 
 namespace quoin::io {

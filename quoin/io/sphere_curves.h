@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "quoin/arrangement/geodesic_family.h"
+#include "quoin/arrangement/geodesic/geodesic_family.h"
 
 namespace quoin {
 

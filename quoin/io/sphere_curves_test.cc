@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "quoin/arrangement/geodesic_arrangement.h"
+#include "quoin/arrangement/geodesic/geodesic_arrangement.h"
 #include "quoin/base/error.h"
 
 namespace quoin {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "quoin/arrangement/build_visitor.h"
+#include "quoin/arrangement/sweep/build_visitor.h"
 #include "quoin/io/exact_lines.h"
 
 namespace quoin::io {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "quoin/arrangement/edge_order.h"
+#include "quoin/arrangement/location/edge_order.h"
 #include "quoin/io/arrangement_text.h"
 #include "quoin/io/family_text.h"
 

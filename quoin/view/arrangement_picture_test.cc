@@ -6,9 +6,9 @@
 #include <random>
 #include <sstream>
 
-#include "quoin/arrangement/circular_arrangement.h"
-#include "quoin/arrangement/linear_arrangement.h"
-#include "quoin/arrangement/linear_location.h"
+#include "quoin/arrangement/circular/circular_arrangement.h"
+#include "quoin/arrangement/linear/linear_arrangement.h"
+#include "quoin/arrangement/linear/linear_location.h"
 #include "quoin/view/circular_picture.h"
 #include "quoin/view/decomposition_picture.h"
 #include "quoin/view/face_pole.h"

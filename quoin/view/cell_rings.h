@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "quoin/arrangement/dcel.h"
+#include "quoin/arrangement/cells/dcel.h"
 #include "quoin/view/picture_path.h"
 
 namespace quoin {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "quoin/arrangement/dcel.h"
-#include "quoin/arrangement/history.h"
+#include "quoin/arrangement/cells/dcel.h"
+#include "quoin/arrangement/cells/history.h"
 #include "quoin/view/planar_picture.h"
 
 namespace quoin {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "quoin/arrangement/circular_family.h"
+#include "quoin/arrangement/circular/circular_family.h"
 #include "quoin/view/picture_traits.h"
 
 namespace quoin {

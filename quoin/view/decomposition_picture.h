@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "quoin/arrangement/vertical_decomposition.h"
+#include "quoin/arrangement/location/vertical_decomposition.h"
 #include "quoin/view/arrangement_picture.h"
 
 namespace quoin {

@@ -5,8 +5,8 @@
 
 #include <sstream>
 
-#include "quoin/arrangement/circular_envelope.h"
-#include "quoin/arrangement/linear_envelope.h"
+#include "quoin/arrangement/circular/circular_envelope.h"
+#include "quoin/arrangement/linear/linear_envelope.h"
 #include "quoin/view/circular_picture.h"
 #include "quoin/view/picture_svg.h"
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "quoin/arrangement/linear_family.h"
+#include "quoin/arrangement/linear/linear_family.h"
 #include "quoin/view/picture_path.h"
 
 namespace quoin {

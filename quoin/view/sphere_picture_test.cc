@@ -9,7 +9,7 @@
 #include <set>
 #include <sstream>
 
-#include "quoin/arrangement/geodesic_arrangement.h"
+#include "quoin/arrangement/geodesic/geodesic_arrangement.h"
 #include "quoin/base/error.h"
 #include "quoin/number/rational.h"
 #include "quoin/view/page.h"

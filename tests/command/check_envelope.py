@@ -34,7 +34,7 @@ class Envelope(CommandTest):
     def test_wkt(self):
         done = self.run_quoin("envelope", ROOF, STEP, "-o", "-")
         self.assertEqual(done.stdout.splitlines(),
-                         ["LINESTRING (0 0, 2 2)", "LINESTRING (2 1, 7 1, 8 0)", "LINESTRING (8 1, 10 1)"])
+                         ["MULTILINESTRING ((0 0, 2 2), (2 1, 7 1, 8 0), (8 1, 10 1))"])
         self.assertEqual(done.stderr, "4 pieces, 5 breakpoints, 0 gaps\n")
 
     def test_arcs(self):

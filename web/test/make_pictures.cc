@@ -7,7 +7,7 @@
 #include <numbers>
 #include <random>
 
-#include "quoin/arrangement/linear_arrangement.h"
+#include "quoin/arrangement/linear/linear_arrangement.h"
 #include "quoin/base/error.h"
 #include "quoin/view/arrangement_picture.h"
 #include "quoin/view/picture_page.h"
