@@ -115,7 +115,8 @@ std::vector<std::size_t> pixels_to_ask(FaceMap& map, const NearPixels& near) {
 
 Vector3 FaceMap::direction(std::size_t pixel) const {
   const double longitude = (2 * (static_cast<double>(pixel % width) + 0.5) / width - 1) * pi;
-  const double latitude = (0.5 - (static_cast<double>(pixel / width) + 0.5) / height) * pi;
+  const std::size_t row = pixel / width;
+  const double latitude = (0.5 - (static_cast<double>(row) + 0.5) / height) * pi;
   return {std::cos(latitude) * std::cos(longitude), std::cos(latitude) * std::sin(longitude), std::sin(latitude)};
 }
 

@@ -98,7 +98,7 @@ CurveHistory trace_edges(const Arrangement<F>& old, const Arrangement<F>& result
 }
 
 template <CurveFamily F>
-CellMap resweep(Arrangement<F>& arrangement, F&& family, const ResweepList<F>& input, std::uint32_t curve_count,
+CellMap resweep(Arrangement<F>& arrangement, F family, const ResweepList<F>& input, std::uint32_t curve_count,
                 const Context& context) {
   BuildVisitor<F> visitor(family, input.list);
   const SweepOptions options{input.colours};

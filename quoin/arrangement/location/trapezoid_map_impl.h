@@ -283,12 +283,14 @@ TrapezoidMap TrapezoidMapBuilder<F>::finish() {
     number[child] = static_cast<std::uint32_t>(order.size());
     order.push_back(child);
   };
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const SearchNode& node = nodes_[order[i]];
-    result.depth = std::max<std::size_t>(result.depth, depth[order[i]]);
+  std::size_t done = 0;
+  while (done < order.size()) {
+    const std::uint32_t at = order[done++];
+    const SearchNode& node = nodes_[at];
+    result.depth = std::max<std::size_t>(result.depth, depth[at]);
     if (node.kind() == SearchNode::leaf) continue;
-    visit(node.child, order[i]);
-    visit(node.kind() == SearchNode::at_point ? node.child + 1 : node.edge.above, order[i]);
+    visit(node.child, at);
+    visit(node.kind() == SearchNode::at_point ? node.child + 1 : node.edge.above, at);
   }
   result.nodes.reserve(order.size());
   for (const std::uint32_t old : order) {

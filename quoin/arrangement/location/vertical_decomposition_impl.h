@@ -44,8 +44,8 @@ class DecompositionVisitor : public SweepVisitor<typename F::Point> {
   }
 
   VerticalDecomposition finish() {
-    for (std::uint32_t i = 0; i < cells_.size(); ++i) {
-      if (cells_[i].right.is_none()) set_face(cells_[i], nullptr);
+    for (auto& cell : cells_) {
+      if (cell.right.is_none()) set_face(cell, nullptr);
     }
     std::sort(dead_.begin(), dead_.end());
     std::vector<std::uint32_t> number(cells_.size(), none);

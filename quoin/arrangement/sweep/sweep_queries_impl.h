@@ -82,7 +82,7 @@ template <CurveFamily F>
 std::vector<SubCurve<typename F::Point>> sub_curves(const F& family, const PieceList<F>& list, const Context& context) {
   class Visitor : public QueryVisitor<F> {
    public:
-    Visitor(const PieceList<F>& pieces) : QueryVisitor<F>(pieces), list_(pieces) {}
+    explicit Visitor(const PieceList<F>& pieces) : QueryVisitor<F>(pieces), list_(pieces) {}
     bool at_event(const typename QueryVisitor<F>::Event& event) override {
       for (const std::uint32_t edge : event.left) curves[edge].right = event.point;
       for (const std::uint32_t head : event.bundles) {
