@@ -6,6 +6,7 @@
 #include "quoin/arrangement/edit/editing_test_support.h"
 #include "quoin/arrangement/geodesic/geodesic_editing.h"
 #include "quoin/base/error.h"
+#include "quoin/base/test_rounds.h"
 
 namespace quoin {
 namespace {
@@ -145,11 +146,13 @@ void edit_at_random(unsigned seed, int steps, std::size_t most) {
 }
 
 TEST(CurvedEditing, CirclesArcsAndSegments) {
-  for (unsigned seed = 61; seed < 64; ++seed) edit_at_random<CircularFamily>(seed, 1000, 4 + 3 * (seed % 4));
+  for (unsigned seed = 61; seed < 64; ++seed)
+    edit_at_random<CircularFamily>(seed, test_rounds(1000), 4 + 3 * (seed % 4));
 }
 
 TEST(CurvedEditing, ArcsOnTheSphere) {
-  for (unsigned seed = 71; seed < 74; ++seed) edit_at_random<GeodesicFamily>(seed, 1000, 4 + 3 * (seed % 4));
+  for (unsigned seed = 71; seed < 74; ++seed)
+    edit_at_random<GeodesicFamily>(seed, test_rounds(1000), 4 + 3 * (seed % 4));
 }
 
 TEST(CurvedEditing, SingleEdgesOnTheSphereAreRefused) {

@@ -2,6 +2,7 @@
 #include "quoin/arrangement/edit/insert.h"
 
 #include "quoin/arrangement/edit/editing_test_support.h"
+#include "quoin/base/test_rounds.h"
 
 namespace quoin {
 namespace {
@@ -126,13 +127,13 @@ void edit_at_random(unsigned seed, const Mix& mix, int steps) {
 }
 
 TEST(Insert, RandomEditsOfSegments) {
-  edit_at_random(1, {4, false, false}, 3000);
-  edit_at_random(2, {7, false, false}, 2000);
+  edit_at_random(1, {4, false, false}, test_rounds(3000));
+  edit_at_random(2, {7, false, false}, test_rounds(2000));
 }
 
 TEST(Insert, RandomEditsOfLinesAndRays) {
-  edit_at_random(3, {3, true, false}, 3000);
-  edit_at_random(4, {6, true, false}, 2000);
+  edit_at_random(3, {3, true, false}, test_rounds(3000));
+  edit_at_random(4, {6, true, false}, test_rounds(2000));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "quoin/arrangement/edit/editing_test_support.h"
+#include "quoin/base/test_rounds.h"
 
 namespace quoin {
 namespace {
@@ -67,7 +68,7 @@ bool overlap(const GridCurve& c, const GridCurve& d) {
 
 TEST(SweepQueries, EqualRationalPairs) {
   std::mt19937 random(23);
-  for (int round = 0; round < 1500; ++round) {
+  for (int round = 0; round < test_rounds(1500); ++round) {
     std::vector<GridCurve> curves;
     LinearFamily family;
     PieceList<LinearFamily> list;
