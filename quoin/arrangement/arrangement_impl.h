@@ -16,9 +16,10 @@ Arrangement<F>::Arrangement() {
 namespace arrangement_detail {
 
 template <CurveFamily F>
-Arrangement<F> arrange_sorted(F family, const PieceList<F>& sorted, const Context& context) {
+Arrangement<F> arrange_sorted(F family, PieceList<F> sorted, const Context& context) {
   BuildVisitor<F> visitor(family, sorted, false);
   Sweep<F>(family, sorted, {}, {}, visitor, context).run();
+  sorted = PieceList<F>();  // linking takes memory of its own
   return visitor.finish(std::move(family));
 }
 
@@ -26,15 +27,15 @@ Arrangement<F> arrange_sorted(F family, const PieceList<F>& sorted, const Contex
 
 template <CurveFamily F>
 Arrangement<F> arrange(F family, const PieceList<F>& list, const Context& context) {
-  const PieceList<F> sorted = sorted_list(context, family, list);
-  return arrangement_detail::arrange_sorted(std::move(family), sorted, context);
+  PieceList<F> sorted = sorted_list(context, family, list);
+  return arrangement_detail::arrange_sorted(std::move(family), std::move(sorted), context);
 }
 
 template <CurveFamily F>
 Arrangement<F> arrange(F family, PieceList<F>&& list, const Context& context) {
-  const PieceList<F> sorted = sorted_list(context, family, list);
+  PieceList<F> sorted = sorted_list(context, family, list);
   list = PieceList<F>();
-  return arrangement_detail::arrange_sorted(std::move(family), sorted, context);
+  return arrangement_detail::arrange_sorted(std::move(family), std::move(sorted), context);
 }
 
 }  // namespace quoin

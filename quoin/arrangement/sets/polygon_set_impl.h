@@ -131,12 +131,18 @@ PolygonSet<F>::PolygonSet(const Arrangement<F>& arrangement, std::vector<bool> v
                           std::vector<bool> faces) {
   const polygon_set_detail::Members members{std::move(vertices), std::move(edges), std::move(faces)};
   dcel::Filtered filtered = dcel::filter(arrangement.cells(), polygon_set_detail::redundancy(arrangement, members));
-  for (const dcel::VertexId v : filtered.source_of_vertex) vertices_.push_back(members.vertices[v.index()]);
-  for (const dcel::EdgeId e : filtered.first_source_of_edge) edges_.push_back(members.edges[e.index()]);
+  // Whatever was said of fictitious cells: they are no members.
+  for (const dcel::VertexId v : filtered.source_of_vertex) {
+    vertices_.push_back(arrangement.cells().is_real(v) && members.vertices[v.index()]);
+  }
+  for (const dcel::EdgeId e : filtered.first_source_of_edge) {
+    edges_.push_back(arrangement.cells().is_real(e) && members.edges[e.index()]);
+  }
   faces_.resize(filtered.dcel.faces.size());
   for (std::size_t f = 0; f < members.faces.size(); ++f) {
     const dcel::FaceId face = filtered.face_of_source[f];
-    if (!face.is_none() && members.faces[f]) faces_[face.index()] = true;
+    const bool is_real = arrangement.cells().is_real(dcel::FaceId(f));
+    if (!face.is_none() && is_real && members.faces[f]) faces_[face.index()] = true;
   }
   arrangement_ = polygon_set_detail::filtered_arrangement(arrangement, filtered);
 }

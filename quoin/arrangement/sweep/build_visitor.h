@@ -19,7 +19,7 @@ class BuildVisitor : public SweepVisitor<typename F::Point> {
 
   /// `follows_points`: vertex_of_point will be asked for.
   BuildVisitor(const F& family, const PieceList<F>& list, bool follows_points = true)
-      : family_(family), list_(list), vertex_of_point_(follows_points ? list.points.size() : 0) {
+      : family_(family), list_(list), curve_count_(list.curve_count), vertex_of_point_(follows_points ? list.points.size() : 0) {
     if constexpr (has_glued_sides) number_copies();
   }
 
@@ -46,6 +46,7 @@ class BuildVisitor : public SweepVisitor<typename F::Point> {
   /// By point of the list, once finished.
   const std::vector<dcel::VertexId>& vertex_of_point() const { return vertex_of_point_; }
 
+  /// The list and the family given to the constructor are not read any more.
   Arrangement<F> finish(F family) {
     auto built = builder_.finish(F::Surface::sides, F::Surface::has_unbounded_face);
     const std::size_t edges = built.dcel.edges.size();
@@ -53,7 +54,7 @@ class BuildVisitor : public SweepVisitor<typename F::Point> {
     branches_.resize(edges);
     while (history_.edge_count() < edges) history_.append({});
     Arrangement<F> result(std::move(family), std::move(built.dcel), std::move(points_), std::move(branches_),
-                          std::move(history_), list_.curve_count);
+                          std::move(history_), curve_count_);
     if constexpr (has_glued_sides) result.set_edge_ends(edge_ends(result));
     return result;
   }
@@ -112,6 +113,7 @@ class BuildVisitor : public SweepVisitor<typename F::Point> {
 
   const F& family_;
   const PieceList<F>& list_;
+  std::uint32_t curve_count_;
   dcel::DcelBuilder builder_;
   std::vector<dcel::VertexId> vertex_of_point_;
   std::vector<Point> points_;  // by event
