@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdlib>
 #include <new>
 #include <vector>
 
@@ -25,19 +24,18 @@ class LargeAllocator {
   T* allocate(std::size_t count) {
     const std::size_t bytes = count * sizeof(T);
     if (bytes < threshold) return static_cast<T*>(::operator new(bytes));
-    void* block = std::aligned_alloc(page, (bytes + page - 1) / page * page);
-    if (block == nullptr) throw std::bad_alloc();
+    T* const block = static_cast<T*>(::operator new ((bytes + page - 1) / page * page, std::align_val_t{page}));
 #if defined(__linux__)
     // Whole pages only, so that no more memory is taken than asked for.
     madvise(block, bytes / page * page, MADV_HUGEPAGE);
 #endif
-    return static_cast<T*>(block);
+    return block;
   }
   void deallocate(T* block, std::size_t count) {
     if (count * sizeof(T) < threshold) {
       ::operator delete(block);
     } else {
-      std::free(block);
+      ::operator delete (block, std::align_val_t{page});
     }
   }
   friend bool operator==(const LargeAllocator&, const LargeAllocator&) {
