@@ -6,6 +6,7 @@
 #include <string>
 
 #include "quoin/base/error.h"
+#include "quoin/io/piece_bulge.h"
 
 namespace quoin {
 
@@ -13,16 +14,6 @@ namespace {
 
 double bulge_between(const LinearFamily&, BranchId, const Point2&, const Point2&) {
   return 0;
-}
-
-/// The sine of half the angle over one and its cosine.
-double bulge_between(const CircularFamily& family, BranchId branch, const Point2& from, const Point2& to) {
-  if (family.is_line(branch)) return 0;
-  const CircularSupport& circle = family.rounded(CircularFamily::support(branch));
-  const double half_chord = 0.5 * std::hypot(to.x - from.x, to.y - from.y);
-  const double to_chord = std::hypot(0.5 * (from.x + to.x) - circle.x, 0.5 * (from.y + to.y) - circle.y);
-  const double bulge = std::min(1.0, half_chord / (circle.radius + to_chord));
-  return CircularFamily::is_upper(branch) ? -bulge : bulge;
 }
 
 template <class F>
