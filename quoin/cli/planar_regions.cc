@@ -42,7 +42,7 @@ Regions<F> read_regions(std::span<const PlanarInput> inputs, const std::optional
   F family;
   PieceList<F> list;
   Regions<F> regions;
-  regions.fill = rule.value_or(FillRule::even_odd);
+  std::vector<std::uint32_t> must_be_valid;  // by curve: its element, or none
   for (const PlanarInput& input : inputs) {
     RegionCurves curves;
     try {
@@ -55,15 +55,16 @@ Regions<F> read_regions(std::span<const PlanarInput> inputs, const std::optional
       regions.curves.names.push_back(input.name + ": " + curves.names[i]);
       regions.curves.is_hole.push_back(curves.is_hole[i]);
       regions.groups.element_of_curve.push_back(first + curves.elements[i]);
+      must_be_valid.push_back(input.drawing.has_rings_by_rule ? no_element : first + curves.elements[i]);
     }
+    for (const FillRule own : curves.rules) regions.groups.rule_of_element.push_back(rule.value_or(own));
     regions.groups.operand_of_element.resize(first + input.drawing.elements.size(), regions.groups.operand_count);
     ++regions.groups.operand_count;
     for (const std::string& name : curves.ignored) warnings.push_back(input.name + ": " + name + " encloses nothing");
   }
   regions.drawn = arrange(std::move(family), list, context);
   if (rule) return regions;
-  const std::optional<RingProblem> problem =
-      find_ring_problem(regions.drawn, regions.groups.element_of_curve, regions.curves.is_hole);
+  const std::optional<RingProblem> problem = find_ring_problem(regions.drawn, must_be_valid, regions.curves.is_hole);
   if (problem) {
     throw InputError(describe_problem(*problem, regions.curves) + place_of(regions.drawn, problem->edge) +
                      "; --fill even-odd or nonzero reads such rings by that rule");

@@ -20,10 +20,11 @@ struct Regions {
   Arrangement<F> drawn;
   RegionCurves curves;
   RegionGroups groups;
-  FillRule fill = FillRule::even_odd;
 };
 
-/// Arranges the rings of all inputs. Elements that enclose nothing go to `warnings`.
+/// Arranges the rings of all inputs, each element read by `rule`; without one by the rule of its file where that has
+/// rings in any order, else as an outline with holes, which must be valid. Elements that enclose nothing go to
+/// `warnings`.
 /// @throws InputError naming an element that is refused; without a rule also rings that cross, with a place
 template <class F>
 Regions<F> read_regions(std::span<const PlanarInput> inputs, const std::optional<FillRule>& rule,
@@ -40,7 +41,7 @@ PolygonSet<F> set_of_operand(const Regions<F>& regions, std::uint32_t operand) {
   RegionGroups groups = regions.groups;
   for (std::uint32_t& of : groups.operand_of_element) of = of == operand ? 0 : 1;
   groups.operand_count = 2;
-  return combine_regions(regions.drawn, groups, regions.fill, SetOperation::first);
+  return combine_regions(regions.drawn, groups, SetOperation::first);
 }
 
 }  // namespace quoin::cli

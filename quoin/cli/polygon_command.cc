@@ -40,7 +40,7 @@ PolygonSet<F> set_of(const PlanarInput& input, const std::optional<FillRule>& ru
                      const Context& context) {
   if (!input.exact) {
     const Regions<F> regions = read_regions<F>({&input, 1}, rule, warnings, context);
-    return combine_regions(regions.drawn, regions.groups, rule.value_or(FillRule::even_odd), SetOperation::unite);
+    return combine_regions(regions.drawn, regions.groups, SetOperation::unite);
   }
   const auto* text = std::get_if<ArrangementText<F>>(&*input.exact);
   if (text == nullptr) throw InputError(input.name + ": an exact text of lines does not go with arcs");
@@ -79,7 +79,7 @@ int combine_with(std::span<const PlanarInput> inputs, std::vector<std::string>& 
   const Regions<F> regions = read_regions<F>(inputs, fill_rule(options), warnings, context);
   const SetOperation operation = operation_of(options.operation);
   return finish_set(options.plain ? combine_plainly(regions, operation, context)
-                                  : combine_regions(regions.drawn, regions.groups, regions.fill, operation),
+                                  : combine_regions(regions.drawn, regions.groups, operation),
                     warnings, options, context);
 }
 

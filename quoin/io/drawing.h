@@ -67,6 +67,9 @@ struct DrawingElement {
 struct Drawing {
   std::vector<DrawingElement> elements;
   std::vector<std::string> notes;  ///< what was rounded, with a bound of how far it moved, and what was left out
+  /// Rings of polygons come in any order, and their fill rule alone says what they enclose, as in SVG. Else, as in WKT
+  /// and GeoJSON, the first ring of a polygon is its outline and the others are holes in it.
+  bool has_rings_by_rule = false;
 };
 
 enum class DrawingFormat : std::uint8_t { wkt, geojson, svg, dxf };

@@ -79,14 +79,15 @@ void add_all_regions(F& family, PieceList<F>& list, const Drawing& drawing, Regi
   };
   for (std::size_t i = 0; i < drawing.elements.size(); ++i) {
     const DrawingElement& element = drawing.elements[i];
+    const auto* polygon = std::get_if<DrawingPolygon>(&element.shape);
+    curves.rules.push_back(polygon == nullptr ? FillRule::even_odd : polygon->fill);
     if (element.kind() == DrawingKind::circle) {
       add_circle(family, list, std::get<DrawingCircle>(element.shape), element.name);
       add(element.name, i, false);
-    } else if (element.kind() == DrawingKind::polygon) {
-      const auto& rings = std::get<DrawingPolygon>(element.shape).rings;
-      for (std::size_t r = 0; r < rings.size(); ++r) {
+    } else if (polygon != nullptr) {
+      for (std::size_t r = 0; r < polygon->rings.size(); ++r) {
         const std::string name = element.name + ", ring " + std::to_string(r + 1);
-        add_path(family, list, rings[r], name);
+        add_path(family, list, polygon->rings[r], name);
         add(name, i, r > 0);
       }
     } else if (element.kind() == DrawingKind::path && std::get<DrawingPath>(element.shape).is_closed) {

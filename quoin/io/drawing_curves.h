@@ -26,6 +26,7 @@ struct RegionCurves {
   std::vector<std::string> names;       ///< by curve
   std::vector<std::uint32_t> elements;  ///< by curve: which element it belongs to
   std::vector<bool> is_hole;            ///< by curve: a ring that is not the first of its polygon
+  std::vector<FillRule> rules;          ///< by element: what its rings enclose
   std::vector<std::string> ignored;     ///< names of elements that enclose nothing: points and open paths
 };
 void add_regions(LinearFamily& family, PieceList<LinearFamily>& list, const Drawing& drawing, RegionCurves& curves);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "quoin/base/error.h"
+#include "quoin/io/piece_bulge.h"
 
 namespace quoin {
 
@@ -86,8 +87,8 @@ class LinearRound {
   bool is_valid(LinearPolygonSet& mended) {
     const LinearArrangement drawn = arrange(family_, list_, context_);
     const std::uint32_t rings = list_.curve_count;
-    RegionGroups groups{std::vector<std::uint32_t>(rings, 0), {0}, 1};
-    mended = combine_regions(drawn, groups, FillRule::positive, SetOperation::unite);
+    const RegionGroups groups{std::vector<std::uint32_t>(rings, 0), {FillRule::positive}, {0}, 1};
+    mended = combine_regions(drawn, groups, SetOperation::unite);
     return drawn.edge_count() == list_.pieces.size() && mended.arrangement().counts().edges == drawn.edge_count() &&
            mended.arrangement().counts().faces == drawn.counts().faces;
   }
@@ -114,23 +115,6 @@ class LinearRound {
   PieceList<LinearFamily> list_;
   bool displaced_ = false;
 };
-
-double bulge_of(const CircularArrangement& arrangement, dcel::HalfedgeId h, const Point2& from, const Point2& to) {
-  const CircularFamily& family = arrangement.family();
-  const BranchId branch = arrangement.branch(h.edge());
-  if (family.is_line(branch)) return 0;
-  const RationalCircle circle = family.circle(CircularFamily::support(branch));
-  const double x = circle.x.to_double();
-  const double y = circle.y.to_double();
-  const double turn = std::atan2(to.y - y, to.x - x) - std::atan2(from.y - y, from.x - x);
-  // Along the lower half from left to right, and along the upper half from right to left, counterclockwise.
-  const bool counterclockwise = CircularFamily::is_upper(branch) != h.is_forward();
-  constexpr double full = 6.283185307179586;
-  double angle = std::remainder(turn, full);
-  if (counterclockwise && angle < 0) angle += full;
-  if (!counterclockwise && angle > 0) angle -= full;
-  return std::tan(angle / 4);
-}
 
 }  // namespace
 
@@ -161,7 +145,8 @@ SetDrawing draw_set(const CircularPolygonSet& set, const Context&) {
       const Point2 to = position(arrangement.cells().target(h));
       if (from == to) continue;  // too short for doubles
       path.points.push_back(from);
-      path.bulges.push_back(bulge_of(arrangement, h, from, to));
+      const double bulge = bulge_between(arrangement.family(), arrangement.branch(h.edge()), from, to);
+      path.bulges.push_back(h.is_forward() ? bulge : -bulge);
       is_curved = is_curved || path.bulges.back() != 0;
     }
     if (!is_curved) path.bulges.clear();

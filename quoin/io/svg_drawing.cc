@@ -47,6 +47,7 @@ class SvgReader {
       add_paths(element, read_path_data(cursor_, element, notes_, context_));
     }
     drawing_.notes = notes_.list();
+    drawing_.has_rings_by_rule = true;
     return std::move(drawing_);
   }
 

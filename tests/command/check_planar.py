@@ -176,6 +176,19 @@ class Polygon(PlanarTest):
         self.assert_holds(self.polygon("union", BOW, "--fill", "positive"), area=1, polygons=1)
         self.run_quoin("polygon", "union", "missing.wkt", "--fill", "odd", code=USAGE)
 
+    def test_files_that_state_a_rule_are_read_by_it(self):
+        nested = "M0 0H6V6H0Z M2 2H4V4H2Z"
+        apart = "M0 0H2V2H0Z M5 0H7V2H5Z"
+        for path, rule, polygons, area in ((nested, "", 1, 36), (nested, "nonzero", 1, 36), (nested, "evenodd", 1, 32),
+                                           (apart, "", 2, 8), (apart, "evenodd", 2, 8)):
+            style = f' fill-rule="{rule}"' if rule else ""
+            self.write("a.svg", f'<svg xmlns="http://www.w3.org/2000/svg"><path{style} d="{path}"/></svg>')
+            report = json.loads(self.run_quoin("polygon", "union", "a.svg", "--json").stdout)
+            self.assertEqual((report["polygons"], report["area"]), (polygons, area), (path, rule))
+        self.write("a.svg", f'<svg xmlns="http://www.w3.org/2000/svg"><path d="{nested}"/></svg>')
+        report = json.loads(self.run_quoin("polygon", "union", "a.svg", "--fill", "even-odd", "--json").stdout)
+        self.assertEqual(report["area"], 32)
+
     def test_arcs(self):
         report = self.polygon("union", DISC)
         self.assertAlmostEqual(report["area"], math.pi, delta=report["area_error"])

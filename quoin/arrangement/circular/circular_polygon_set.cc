@@ -19,7 +19,7 @@ template PolygonSet<CircularFamily> combine(std::span<const PolygonSet<CircularF
 template PolygonSet<CircularFamily> combine_rings(CircularFamily, const PieceList<CircularFamily>&,
                                                   std::span<const std::uint32_t>, std::uint32_t, FillRule, SetOperation,
                                                   const Context&);
-template PolygonSet<CircularFamily> combine_regions(const Arrangement<CircularFamily>&, const RegionGroups&, FillRule,
+template PolygonSet<CircularFamily> combine_regions(const Arrangement<CircularFamily>&, const RegionGroups&,
                                                     SetOperation);
 template std::optional<RingProblem> find_ring_problem(const Arrangement<CircularFamily>&,
                                                       std::span<const std::uint32_t>, const std::vector<bool>&);

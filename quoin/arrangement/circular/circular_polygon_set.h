@@ -18,7 +18,7 @@ extern template PolygonSet<CircularFamily> combine_rings(CircularFamily, const P
                                                          std::span<const std::uint32_t>, std::uint32_t, FillRule,
                                                          SetOperation, const Context&);
 extern template PolygonSet<CircularFamily> combine_regions(const Arrangement<CircularFamily>&, const RegionGroups&,
-                                                           FillRule, SetOperation);
+                                                           SetOperation);
 extern template std::optional<RingProblem> find_ring_problem(const Arrangement<CircularFamily>&,
                                                              std::span<const std::uint32_t>, const std::vector<bool>&);
 extern template std::vector<PolygonWithHoles> polygons_of(const PolygonSet<CircularFamily>&);

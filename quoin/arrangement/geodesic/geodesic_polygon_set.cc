@@ -19,7 +19,7 @@ template PolygonSet<GeodesicFamily> combine(std::span<const PolygonSet<GeodesicF
 template PolygonSet<GeodesicFamily> combine_rings(GeodesicFamily, const PieceList<GeodesicFamily>&,
                                                   std::span<const std::uint32_t>, std::uint32_t, FillRule, SetOperation,
                                                   const Context&);
-template PolygonSet<GeodesicFamily> combine_regions(const Arrangement<GeodesicFamily>&, const RegionGroups&, FillRule,
+template PolygonSet<GeodesicFamily> combine_regions(const Arrangement<GeodesicFamily>&, const RegionGroups&,
                                                     SetOperation);
 template std::optional<RingProblem> find_ring_problem(const Arrangement<GeodesicFamily>&,
                                                       std::span<const std::uint32_t>, const std::vector<bool>&);

@@ -18,7 +18,7 @@ extern template PolygonSet<GeodesicFamily> combine_rings(GeodesicFamily, const P
                                                          std::span<const std::uint32_t>, std::uint32_t, FillRule,
                                                          SetOperation, const Context&);
 extern template PolygonSet<GeodesicFamily> combine_regions(const Arrangement<GeodesicFamily>&, const RegionGroups&,
-                                                           FillRule, SetOperation);
+                                                           SetOperation);
 extern template std::optional<RingProblem> find_ring_problem(const Arrangement<GeodesicFamily>&,
                                                              std::span<const std::uint32_t>, const std::vector<bool>&);
 extern template std::vector<PolygonWithHoles> polygons_of(const PolygonSet<GeodesicFamily>&);

@@ -19,8 +19,7 @@ template PolygonSet<LinearFamily> combine(std::span<const PolygonSet<LinearFamil
 template PolygonSet<LinearFamily> combine_rings(LinearFamily, const PieceList<LinearFamily>&,
                                                 std::span<const std::uint32_t>, std::uint32_t, FillRule, SetOperation,
                                                 const Context&);
-template PolygonSet<LinearFamily> combine_regions(const Arrangement<LinearFamily>&, const RegionGroups&, FillRule,
-                                                  SetOperation);
+template PolygonSet<LinearFamily> combine_regions(const Arrangement<LinearFamily>&, const RegionGroups&, SetOperation);
 template std::optional<RingProblem> find_ring_problem(const Arrangement<LinearFamily>&, std::span<const std::uint32_t>,
                                                       const std::vector<bool>&);
 template std::vector<PolygonWithHoles> polygons_of(const PolygonSet<LinearFamily>&);

@@ -18,7 +18,7 @@ extern template PolygonSet<LinearFamily> combine_rings(LinearFamily, const Piece
                                                        std::span<const std::uint32_t>, std::uint32_t, FillRule,
                                                        SetOperation, const Context&);
 extern template PolygonSet<LinearFamily> combine_regions(const Arrangement<LinearFamily>&, const RegionGroups&,
-                                                         FillRule, SetOperation);
+                                                         SetOperation);
 extern template std::optional<RingProblem> find_ring_problem(const Arrangement<LinearFamily>&,
                                                              std::span<const std::uint32_t>, const std::vector<bool>&);
 extern template std::vector<PolygonWithHoles> polygons_of(const PolygonSet<LinearFamily>&);

@@ -89,15 +89,14 @@ PolygonSet<F> combine_rings(F family, const PieceList<F>& rings, std::span<const
 /// How directed closed curves make up operands.
 struct RegionGroups {
   std::vector<std::uint32_t> element_of_curve;
+  std::vector<FillRule> rule_of_element;  ///< what the curves of an element enclose together
   std::vector<std::uint32_t> operand_of_element;
   std::uint32_t operand_count = 0;
 };
 
-/// The same from curves that are arranged already, in two levels: `rule` says what the curves of an element enclose
-/// together, and an operand is the union of its elements. O(size).
+/// The same from curves that are arranged already, in two levels: an operand is the union of its elements. O(size).
 template <CurveFamily F>
-PolygonSet<F> combine_regions(const Arrangement<F>& drawn, const RegionGroups& groups, FillRule rule,
-                              SetOperation operation);
+PolygonSet<F> combine_regions(const Arrangement<F>& drawn, const RegionGroups& groups, SetOperation operation);
 
 /// What is wrong with the rings of a polygon.
 struct RingProblem {
@@ -112,6 +111,9 @@ struct RingProblem {
   std::uint32_t second_curve = 0;  ///< of kinds with two rings
   dcel::EdgeId edge;               ///< where: an edge next to the place
 };
+
+/// Stands for the element of curves that `find_ring_problem` leaves alone.
+constexpr std::uint32_t no_element = 0xFFFFFFFFU;
 
 /// Whether the curves bound polygons: every element one outer ring and holes inside it, each simple; rings may touch in
 /// points. Elements may overlap one another. Orientation does not matter. Returns the first problem in the order of

@@ -186,8 +186,7 @@ PolygonSet<F> combine(std::span<const PolygonSet<F>* const> sets, SetOperation o
 }
 
 template <CurveFamily F>
-PolygonSet<F> combine_regions(const Arrangement<F>& drawn, const RegionGroups& groups, FillRule rule,
-                              SetOperation operation) {
+PolygonSet<F> combine_regions(const Arrangement<F>& drawn, const RegionGroups& groups, SetOperation operation) {
   const dcel::Dcel& cells = drawn.cells();
   polygon_set_detail::Members members{{}, {}, std::vector<bool>(cells.faces.size(), false)};
   polygon_set_detail::Membership here;
@@ -198,6 +197,7 @@ PolygonSet<F> combine_regions(const Arrangement<F>& drawn, const RegionGroups& g
       [&](dcel::HalfedgeId h) {
         for (const CurveUse use : drawn.curves(h.edge())) {
           const std::uint32_t element = groups.element_of_curve[use.curve().index()];
+          const FillRule rule = groups.rule_of_element[element];
           const bool before = polygon_set_detail::is_inside(winding[element], rule);
           winding[element] += polygon_set_detail::winding_step(h, use);
           const bool now = polygon_set_detail::is_inside(winding[element], rule);
@@ -219,10 +219,11 @@ PolygonSet<F> combine_rings(F family, const PieceList<F>& rings, std::span<const
                             const Context& context) {
   RegionGroups groups;
   groups.element_of_curve.assign(operand_of_curve.begin(), operand_of_curve.end());
+  groups.rule_of_element.assign(operand_count, rule);
   groups.operand_of_element.resize(operand_count);
   std::iota(groups.operand_of_element.begin(), groups.operand_of_element.end(), 0U);
   groups.operand_count = operand_count;
-  return combine_regions(arrange(std::move(family), rings, context), groups, rule, operation);
+  return combine_regions(arrange(std::move(family), rings, context), groups, operation);
 }
 
 }  // namespace quoin

@@ -20,7 +20,9 @@ class RingWalk {
            const std::vector<bool>& is_hole)
       : drawn_(drawn), element_of_curve_(element_of_curve), is_hole_(is_hole), winding_(element_of_curve.size(), 0) {
     std::uint32_t elements = 0;
-    for (const std::uint32_t element : element_of_curve) elements = std::max(elements, element + 1);
+    for (const std::uint32_t element : element_of_curve) {
+      if (element != no_element) elements = std::max(elements, element + 1);
+    }
     elements_.resize(elements);
     direction_.assign(element_of_curve.size(), 0);
   }
@@ -46,7 +48,8 @@ class RingWalk {
       if (uses.size() < 2) continue;
       std::vector<std::pair<std::uint32_t, std::uint32_t>> by_element;
       for (const CurveUse use : uses) {
-        by_element.emplace_back(element_of_curve_[use.curve().index()], use.curve().value);
+        const std::uint32_t element = element_of_curve_[use.curve().index()];
+        if (element != no_element) by_element.emplace_back(element, use.curve().value);
       }
       std::sort(by_element.begin(), by_element.end());
       for (std::size_t i = 1; i < by_element.size(); ++i) {
@@ -60,6 +63,7 @@ class RingWalk {
   void cross(HalfedgeId h) {
     for (const CurveUse use : drawn_.curves(h.edge())) {
       const std::uint32_t curve = use.curve().value;
+      if (element_of_curve_[curve] == no_element) continue;
       std::int32_t& winding = winding_[curve];
       const bool before = winding != 0;
       winding += winding_step(h, use);
@@ -82,6 +86,7 @@ class RingWalk {
   }
   /// The face just entered, for the element of a ring on its boundary.
   void judge(std::uint32_t curve, HalfedgeId h) {
+    if (element_of_curve_[curve] == no_element) return;
     const Element& element = elements_[element_of_curve_[curve]];
     if (element.holes == 0) return;
     if (element.holes > 1) report(RingProblem::Kind::holes_overlap, curve, other_hole(curve), h);
