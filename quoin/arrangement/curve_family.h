@@ -75,8 +75,8 @@ concept CurveFamily = requires(F& family, const F& f, const typename F::Point& p
   /// Rounded position, for pictures, grids and sorting: each coordinate within `error()` of the true one.
   { f.position(p) } -> std::same_as<typename F::Position>;
   { f.error() } -> std::same_as<double>;
-  /// A key that orders like compare_xy whenever two keys differ by more than 2 key_error(); ends on sides have
-  /// keys of the same kind (infinite at infinity).
+  /// A key that orders like compare_xy whenever two keys differ by more than 2 key_error() and by more than 2^-44 of
+  /// the larger one; ends on sides have keys of the same kind (infinite at infinity).
   { f.sweep_key(p) } -> std::same_as<double>;
   { f.key_error() } -> std::same_as<double>;
 };

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <array>
-#include <fstream>
 #include <sstream>
 
 #include "quoin/arrangement/circular/circular_arrangement.h"
@@ -9,12 +8,11 @@
 #include "quoin/arrangement/linear/linear_location.h"
 #include "quoin/arrangement/linear/linear_polygon_set.h"
 #include "quoin/cli/commands.h"
-#include "quoin/cli/coordinates.h"
 #include "quoin/cli/exact_targets.h"
 #include "quoin/cli/failure.h"
-#include "quoin/cli/inputs.h"
 #include "quoin/cli/planar.h"
 #include "quoin/cli/planar_pictures.h"
+#include "quoin/cli/point_queries.h"
 #include "quoin/io/drawing_curves.h"
 
 namespace quoin::cli {
@@ -139,29 +137,8 @@ int overlay_with(std::span<const PlanarInput> inputs, std::vector<std::string>& 
   return 0;
 }
 
-struct PlanarQuery {
-  std::string text;
-  RationalPoint2 point;
-};
-
-std::vector<PlanarQuery> queries_of(const Options& options) {
-  std::vector<PlanarQuery> queries;
-  for (const std::string& text : options.points) {
-    const std::vector<Rational> numbers = parse_argument(text, 2, "--point");
-    queries.push_back({text, {numbers[0], numbers[1]}});
-  }
-  if (options.points_file.empty()) return queries;
-  std::istringstream in(read_all(options.points_file));
-  std::size_t number = 0;
-  for (std::string line; std::getline(in, line);) {
-    ++number;
-    if (line.ends_with('\r')) line.pop_back();
-    if (line.find_first_not_of(" \t") == std::string::npos || line[0] == '#') continue;
-    const std::vector<Rational> numbers =
-        parse_coordinates(line, 2, shown(options.points_file) + ":" + std::to_string(number));
-    queries.push_back({line, {numbers[0], numbers[1]}});
-  }
-  return queries;
+RationalPoint2 point_of(const Query& query) {
+  return {query.numbers[0], query.numbers[1]};
 }
 
 const char* kind_of(const Location& location) {
@@ -169,20 +146,20 @@ const char* kind_of(const Location& location) {
 }
 
 template <class F>
-int locate_with(std::span<const PlanarInput> inputs, const std::vector<PlanarQuery>& queries,
+int locate_with(std::span<const PlanarInput> inputs, const std::vector<Query>& queries,
                 std::vector<std::string>& warnings, const Options& options, const Context& context) {
   F family;
   PieceList<F> list;
   std::vector<std::string> names;
   add_inputs(family, list, inputs, names);
   std::vector<typename F::Point> points;
-  for (const PlanarQuery& query : queries) points.push_back(family.point(query.point));
+  for (const Query& query : queries) points.push_back(family.point(point_of(query)));
   const Arrangement<F> arrangement = arrange(std::move(family), list, context);
   const std::vector<Location> found = locate_batch(arrangement, std::span<const typename F::Point>(points), context);
   Json json{{"points", Json::array()}};
   std::string text;
   for (std::size_t i = 0; i < queries.size(); ++i) {
-    Json one{{"point", {queries[i].point.x.to_double(), queries[i].point.y.to_double()}},
+    Json one{{"point", {queries[i].numbers[0].to_double(), queries[i].numbers[1].to_double()}},
              {"cell", kind_of(found[i])},
              {"id", found[i].index()}};
     if (found[i].is_edge()) {
@@ -221,7 +198,7 @@ int run_overlay(const Options& options, const Context& context) {
 int run_locate(const Options& options, const Context& context) {
   if (options.points.empty() && options.points_file.empty())
     throw UsageError("nothing to locate: --point or --points is needed");
-  const std::vector<PlanarQuery> queries = queries_of(options);
+  const std::vector<Query> queries = point_queries(options, 2);
   std::vector<std::string> warnings;
   const std::vector<PlanarInput> inputs = read_drawings(options, warnings, context);
   return any_arcs(inputs) ? locate_with<CircularFamily>(inputs, queries, warnings, options, context)

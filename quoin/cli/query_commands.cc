@@ -8,6 +8,7 @@
 #include "quoin/cli/coordinates.h"
 #include "quoin/cli/failure.h"
 #include "quoin/cli/inputs.h"
+#include "quoin/cli/point_queries.h"
 #include "quoin/cli/reporting.h"
 #include "quoin/cli/streams.h"
 #include "quoin/cli/summary.h"
@@ -73,29 +74,6 @@ Json describe(const Location& location, const Brep& b) {
   if (location.place == Place::on_edge)
     json["edge"] = {rounded(b.points.exact(location.a)), rounded(b.points.exact(location.b))};
   return json;
-}
-
-// A query as it was given, and its numbers.
-struct Query {
-  std::string text;
-  std::vector<Rational> numbers;
-};
-
-std::vector<Query> point_queries(const Options& options) {
-  std::vector<Query> queries;
-  for (const std::string& text : options.points) queries.push_back({text, parse_argument(text, 3, "--point")});
-  if (options.points_file.empty()) return queries;
-  std::istringstream in(read_all(options.points_file));
-  std::size_t number = 0;
-  for (std::string line; std::getline(in, line);) {
-    ++number;
-    if (line.ends_with('\r')) line.pop_back();
-    if (line.find_first_not_of(" \t") == std::string::npos || line[0] == '#') continue;
-    std::vector<Rational> numbers =
-        parse_coordinates(line, 3, shown(options.points_file) + ":" + std::to_string(number));
-    queries.push_back({line, std::move(numbers)});
-  }
-  return queries;
 }
 
 std::vector<Query> line_queries(const Options& options) {
@@ -211,7 +189,7 @@ int run_classify(const Options& options, const Context& context) {
   if (options.points.empty() && options.points_file.empty() && options.lines.empty())
     throw UsageError("classify needs --point, --points or --line");
   const std::vector<Query> lines = line_queries(options);
-  const std::vector<Query> points = point_queries(options);
+  const std::vector<Query> points = point_queries(options, 3);
   std::vector<std::string> warnings;
   const std::shared_ptr<const Brep> boundary = load_boundary(options.inputs[0], options, warnings, context);
   const PointLocator locator(*boundary, context);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fstream>
 
-#include "quoin/arrangement/geodesic/geodesic_location.h"
+#include "quoin/arrangement/geodesic/geodesic_arrangement.h"
 #include "quoin/cli/commands.h"
 #include "quoin/cli/failure.h"
 #include "quoin/cli/inputs.h"

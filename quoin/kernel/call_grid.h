@@ -53,14 +53,18 @@ struct CallNumbers {
   using Quintic = FixedInt<limbs_for_bits(5 * B + 13)>;
 };
 
-struct BigCallNumbers {
+/// All of one type that holds every value.
+template <class Number>
+struct UniformCallNumbers {
   static constexpr bool is_fixed = false;
-  using Linear = Integer;
-  using Quadratic = Integer;
-  using Cubic = Integer;
-  using Quartic = Integer;
-  using Quintic = Integer;
+  using Linear = Number;
+  using Quadratic = Number;
+  using Cubic = Number;
+  using Quartic = Number;
+  using Quintic = Number;
 };
+using BigCallNumbers = UniformCallNumbers<Integer>;
+using RationalCallNumbers = UniformCallNumbers<Rational>;
 
 /// Differences x - y of coordinates, in units of the grid.
 template <class N>

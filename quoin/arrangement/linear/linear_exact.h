@@ -18,16 +18,6 @@
 /// CallNumbers<B>.
 namespace quoin::detail {
 
-/// As CallNumbers, all rational.
-struct RationalNumbers {
-  static constexpr bool is_fixed = false;
-  using Linear = Rational;
-  using Quadratic = Rational;
-  using Cubic = Rational;
-  using Quartic = Rational;
-  using Quintic = Rational;
-};
-
 template <class N>
 struct ExactLine {
   typename N::Linear ax, ay, dx, dy;

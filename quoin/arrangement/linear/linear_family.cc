@@ -20,7 +20,7 @@ using detail::CallNumbers;
 using detail::CallReader;
 using detail::ExactLine;
 using detail::ExactPoint;
-using detail::RationalNumbers;
+using detail::RationalCallNumbers;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -70,18 +70,18 @@ class LinearReader {
 };
 
 template <>
-class LinearReader<RationalNumbers> {
+class LinearReader<RationalCallNumbers> {
  public:
   explicit LinearReader(const LinearFamily& family) : family_(family) {}
 
-  ExactLine<RationalNumbers> line(BranchId b) const {
+  ExactLine<RationalCallNumbers> line(BranchId b) const {
     const RationalPoint2 a = family_.first_support_point(b);
     const RationalPoint2 c = family_.second_support_point(b);
     return {a.x, a.y, c.x - a.x, c.y - a.y};
   }
-  ExactPoint<RationalNumbers> point(const LinearPoint& p) const {
+  ExactPoint<RationalCallNumbers> point(const LinearPoint& p) const {
     if (p.is_crossing()) {
-      return detail::exact_crossing<RationalNumbers>(line(BranchId(p.first)), line(BranchId(p.second)));
+      return detail::exact_crossing<RationalCallNumbers>(line(BranchId(p.first)), line(BranchId(p.second)));
     }
     if (p.second == LinearPoint::rational_tag) {
       const RationalPoint2& r = family_.rationals_[p.first];
@@ -230,7 +230,7 @@ Sign LinearFamily::compare_slopes(BranchId a, BranchId b) const {
     using Number = decltype(detail::exact_crossing(p, q).w);
     return detail::cross<Number>(q.dx, q.dy, p.dx, p.dy).sign();
   };
-  if (is_rational(a) || is_rational(b)) return formula(LinearReader<RationalNumbers>(*this));
+  if (is_rational(a) || is_rational(b)) return formula(LinearReader<RationalCallNumbers>(*this));
   CallValues values;
   for (const Line& l : {s, t}) {
     values.add({l.ax, l.ay});
@@ -244,7 +244,7 @@ Sign LinearFamily::exact_side(const Point& p, BranchId b) const {
   const auto formula = [&](const auto& read, const auto&...) {
     return detail::side_of_line(read.point(p), read.line(b));
   };
-  if (is_rational(p) || is_rational(b)) return formula(LinearReader<RationalNumbers>(*this));
+  if (is_rational(p) || is_rational(b)) return formula(LinearReader<RationalCallNumbers>(*this));
   const Line& l = lines_[b.index()];
   if (p.is_explicit()) return orientation(Point2{l.ax, l.ay}, Point2{l.bx, l.by}, Point2{p.x, p.y});
   CallValues values;
@@ -258,9 +258,9 @@ Sign LinearFamily::exact_side(const Point& p, BranchId b) const {
 
 Sign LinearFamily::exact_side_of_support_point(BranchId of, BranchId line) const {
   if (is_rational(of) || is_rational(line)) {
-    const LinearReader<RationalNumbers> read(*this);
+    const LinearReader<RationalCallNumbers> read(*this);
     const RationalPoint2 p = first_support_point(of);
-    return detail::side_of_line<RationalNumbers>({p.x, p.y, Rational(1)}, read.line(line));
+    return detail::side_of_line<RationalCallNumbers>({p.x, p.y, Rational(1)}, read.line(line));
   }
   const Line& p = lines_[of.index()];
   const Line& l = lines_[line.index()];
@@ -282,7 +282,7 @@ Sign LinearFamily::exact_compare(const Point& p, const Point& q, bool by_y) cons
   const auto formula = [&](const auto& read, const auto&...) {
     return detail::compare_coordinate(read.point(p), read.point(q), by_y);
   };
-  if (is_rational(p) || is_rational(q)) return formula(LinearReader<RationalNumbers>(*this));
+  if (is_rational(p) || is_rational(q)) return formula(LinearReader<RationalCallNumbers>(*this));
   CallValues values;
   for (const Point* point : {&p, &q}) {
     if (!point->is_crossing()) {
@@ -404,7 +404,7 @@ LinearPoint LinearFamily::crossing(BranchId a, BranchId b) const {
 LinearPoint LinearFamily::exact_crossing(BranchId a, BranchId b) const {
   LinearPoint p{0, 0, std::min(a.value, b.value), std::max(a.value, b.value)};
   if (is_rational(a) || is_rational(b)) {
-    const auto exact = LinearReader<RationalNumbers>(*this).point(p);
+    const auto exact = LinearReader<RationalCallNumbers>(*this).point(p);
     p.x = detail::clamped_double(exact.x / exact.w);
     p.y = detail::clamped_double(exact.y / exact.w);
     return p;
@@ -429,7 +429,7 @@ LinearPoint LinearFamily::exact_crossing(BranchId a, BranchId b) const {
 }
 
 RationalPoint2 LinearFamily::exact(const Point& p) const {
-  const auto point = LinearReader<RationalNumbers>(*this).point(p);
+  const auto point = LinearReader<RationalCallNumbers>(*this).point(p);
   return {point.x / point.w, point.y / point.w};
 }
 
