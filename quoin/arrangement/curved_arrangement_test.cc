@@ -7,13 +7,14 @@
 #include <random>
 #include <vector>
 
+#include "quoin/arrangement/circle_scenes.h"
 #include "quoin/arrangement/circular/circular_arrangement.h"
 #include "quoin/arrangement/geodesic/geodesic_arrangement.h"
 
 namespace quoin {
 namespace {
 
-using Scene = std::vector<std::array<int, 3>>;
+using Scene = testing::CircleScene;
 
 CircularArrangement circles(const Scene& scene) {
   CircularFamily family;
@@ -23,53 +24,9 @@ CircularArrangement circles(const Scene& scene) {
   return arrange(std::move(family), list, Context());
 }
 
-// Book on arrangements, the figure of 14 circles; integer replacements with the same counts.
-const std::vector<Scene> scenes_of_14{{{-1, -1, 5},
-                                       {0, 7, 2},
-                                       {2, 9, 2},
-                                       {4, 8, 1},
-                                       {5, 7, 4},
-                                       {5, 10, 5},
-                                       {6, 4, 5},
-                                       {6, 8, 3},
-                                       {7, 8, 2},
-                                       {11, 13, 1},
-                                       {12, 7, 1},
-                                       {14, 8, 9},
-                                       {16, 11, 1},
-                                       {18, 6, 2}},
-                                      {{-9, 2, 3},
-                                       {-2, 13, 5},
-                                       {-1, 10, 1},
-                                       {2, 5, 1},
-                                       {4, 6, 1},
-                                       {5, 9, 3},
-                                       {7, 5, 1},
-                                       {7, 9, 3},
-                                       {8, 6, 5},
-                                       {8, 9, 4},
-                                       {9, 7, 2},
-                                       {9, 9, 1},
-                                       {11, 6, 4},
-                                       {12, 7, 1}},
-                                      {{-6, 2, 2},
-                                       {-2, 2, 7},
-                                       {-2, 9, 4},
-                                       {0, 2, 2},
-                                       {1, 9, 1},
-                                       {2, 10, 2},
-                                       {4, 6, 3},
-                                       {5, 1, 1},
-                                       {5, 6, 2},
-                                       {5, 6, 4},
-                                       {5, 9, 5},
-                                       {7, 9, 3},
-                                       {11, 0, 3},
-                                       {11, 0, 4}}};
-
 TEST(CurvedArrangement, FourteenCircles) {
   std::mt19937 random(1);
-  for (Scene scene : scenes_of_14) {
+  for (Scene scene : testing::scenes_of_14_circles()) {
     for (int order = 0; order < 20; ++order) {
       const CircularArrangement arrangement = circles(scene);
       dcel::check_links(arrangement.cells());
