@@ -1,25 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "quoin/arrangement/linear/linear_family.h"
 
-#include <array>
 #include <limits>
 #include <string>
 
-#include "quoin/arrangement/linear/linear_exact.h"
+#include "quoin/arrangement/linear/linear_reader.h"
 #include "quoin/base/error.h"
-#include "quoin/kernel/constructions_filters.h"
 #include "quoin/kernel/predicates2.h"
-#include "quoin/number/error_free.h"
 
 namespace quoin {
 
 namespace {
 
-using detail::CallGrid;
-using detail::CallNumbers;
-using detail::CallReader;
-using detail::ExactLine;
-using detail::ExactPoint;
+using detail::CallValues;
+using detail::on_grid;
 using detail::RationalCallNumbers;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -42,83 +36,6 @@ double largest_coordinate(const Point2& a, const Point2& b) {
 
 Sign reversed_if(bool reverse, Sign sign) {
   return reverse ? -sign : sign;
-}
-
-}  // namespace
-
-/// Lines and points of one predicate call in the numbers N, relative to an origin.
-template <class N>
-class LinearReader {
- public:
-  LinearReader(const LinearFamily& family, const CallGrid& grid, const Point2& origin)
-      : family_(family), difference_(grid), origin_(origin) {}
-
-  ExactLine<N> line(BranchId b) const {
-    const LinearFamily::Line& l = family_.lines_[b.index()];
-    return {difference_(l.ax, origin_.x), difference_(l.ay, origin_.y), difference_(l.bx, l.ax),
-            difference_(l.by, l.ay)};
-  }
-  ExactPoint<N> point(const LinearPoint& p) const {
-    if (p.is_crossing()) return detail::exact_crossing<N>(line(BranchId(p.first)), line(BranchId(p.second)));
-    return detail::exact_point<N>(difference_(p.x, origin_.x), difference_(p.y, origin_.y));
-  }
-
- private:
-  const LinearFamily& family_;
-  CallReader<N> difference_;
-  Point2 origin_;
-};
-
-template <>
-class LinearReader<RationalCallNumbers> {
- public:
-  explicit LinearReader(const LinearFamily& family) : family_(family) {}
-
-  ExactLine<RationalCallNumbers> line(BranchId b) const {
-    const RationalPoint2 a = family_.first_support_point(b);
-    const RationalPoint2 c = family_.second_support_point(b);
-    return {a.x, a.y, c.x - a.x, c.y - a.y};
-  }
-  ExactPoint<RationalCallNumbers> point(const LinearPoint& p) const {
-    if (p.is_crossing()) {
-      return detail::exact_crossing<RationalCallNumbers>(line(BranchId(p.first)), line(BranchId(p.second)));
-    }
-    if (p.second == LinearPoint::rational_tag) {
-      const RationalPoint2& r = family_.rationals_[p.first];
-      return {r.x, r.y, Rational(1)};
-    }
-    if (p.is_end()) {  // of a vertical line: only x means something
-      return {family_.first_support_point(BranchId(p.first)).x, Rational(0), Rational(1)};
-    }
-    return {Rational(p.x), Rational(p.y), Rational(1)};
-  }
-
- private:
-  const LinearFamily& family_;
-};
-
-namespace {
-
-/// The doubles that a predicate call reads.
-struct CallValues {
-  std::array<double, 16> values{};
-  std::size_t count = 0;
-  void add(const Point2& p) {
-    values[count++] = p.x;
-    values[count++] = p.y;
-  }
-  CallGrid grid() const { return CallGrid(std::span<const double>(values.data(), count)); }
-};
-
-/// Calls the formula with a reader in the narrowest numbers that hold the coordinates of the call.
-template <class Formula>
-auto on_grid(const LinearFamily& family, const CallValues& values, const Formula& formula) {
-  const CallGrid grid = values.grid();
-  const Point2 origin{values.values[0], values.values[1]};
-  if (grid.bits <= 22) return formula(LinearReader<CallNumbers<22>>(family, grid, origin), grid);
-  if (grid.bits <= 61) return formula(LinearReader<CallNumbers<61>>(family, grid, origin), grid);
-  if (grid.bits <= 124) return formula(LinearReader<CallNumbers<124>>(family, grid, origin), grid);
-  return formula(LinearReader<detail::BigCallNumbers>(family, grid, origin), grid);
 }
 
 }  // namespace
@@ -344,93 +261,6 @@ bool LinearFamily::first_meeting(BranchId lower, const Point& lower_end, BranchI
 
 void LinearFamily::meetings(BranchId a, BranchId b, std::vector<Meeting<Point>>& out) const {
   if (compare_slopes(a, b) != Sign::zero) out.push_back({crossing(a, b), true});
-}
-
-/// Turns a crossing into an explicit point if it is a pair of doubles of few digits; then comparisons with equal points
-/// need no exact arithmetic.
-bool LinearFamily::promote(Point& p) const {
-  if (is_rounded_) return false;
-  const double grid = 0x1p-23 * size_;  // rounding to it goes through the sum with 2^52 of its unit
-  const double shift = std::ldexp(1.5, 52 + std::ilogb(grid));
-  const double x = (p.x + shift) - shift;
-  const double y = (p.y + shift) - shift;
-  if (!(std::fabs(x - p.x) <= error_) || !(std::fabs(y - p.y) <= error_)) return false;
-  const Point candidate{x, y, 0, LinearPoint::explicit_tag};
-  if (compare_y_at_x(candidate, BranchId(p.first)) != Sign::zero) return false;
-  if (compare_y_at_x(candidate, BranchId(p.second)) != Sign::zero) return false;
-  p = candidate;
-  return true;
-}
-
-/// With w = c - a, D = d x e, N = w x e of the lines (a, a + d) and (c, c + e), x = a + (N / D) d. D and N are off by 4
-/// u of their terms' sizes (two rounded differences and the product, then the sum); so is t = N / D by (4 u |N terms| +
-/// 4 u |t| |D terms|) / (|D| - 4 u |D terms|) + u |t|, and x by that times |dx|, 2 u |t dx| and u |x|.
-LinearPoint LinearFamily::crossing(BranchId a, BranchId b) const {
-  const Line& s = lines_[a.index()];
-  const Line& t = lines_[b.index()];
-  const bool is_given = !is_rational(a) && !is_rational(b);
-  constexpr double u4 = 0x1.04p-51;
-  const double dx = s.bx - s.ax;
-  const double dy = s.by - s.ay;
-  const double ex = t.bx - t.ax;
-  const double ey = t.by - t.ay;
-  const double wx = t.ax - s.ax;
-  const double wy = t.ay - s.ay;
-  const double d1 = dx * ey;
-  const double d2 = dy * ex;
-  const double n1 = wx * ey;
-  const double n2 = wy * ex;
-  const double denominator = d1 - d2;
-  const double parameter = (n1 - n2) / denominator;
-  LinearPoint p{s.ax + parameter * dx, s.ay + parameter * dy, std::min(a.value, b.value), std::max(a.value, b.value)};
-  const double h = is_given ? 0 : 0x1.08p-52 * size_;
-  const double reach = h * (std::fabs(dx) + std::fabs(dy) + std::fabs(ex) + std::fabs(ey) + 2 * h);
-  const double size = u4 * (std::fabs(d1) + std::fabs(d2)) + reach;
-  const double offset = u4 * (std::fabs(n1) + std::fabs(n2)) + reach + h * (std::fabs(wx) + std::fabs(wy));
-  const double room = std::fabs(denominator) - size;
-  const double doubt = (offset + std::fabs(parameter) * size) / room + 0x1.8p-51 * std::fabs(parameter);
-  const double widest = std::max(std::fabs(dx), std::fabs(dy));
-  const double error = doubt * (widest + h) + h * (1 + std::fabs(parameter));
-  if (!(room > 0x1p-960) || !(error <= 0.5 * error_)) return exact_crossing(a, b);
-  if (!is_given) return p;
-  if (s.ax == s.bx) p.x = s.ax;
-  if (t.ax == t.bx) p.x = t.ax;
-  if (s.ay == s.by) p.y = s.ay;
-  if (t.ay == t.by) p.y = t.ay;
-  promote(p);
-  return p;
-}
-
-LinearPoint LinearFamily::exact_crossing(BranchId a, BranchId b) const {
-  LinearPoint p{0, 0, std::min(a.value, b.value), std::max(a.value, b.value)};
-  if (is_rational(a) || is_rational(b)) {
-    const auto exact = LinearReader<RationalCallNumbers>(*this).point(p);
-    p.x = detail::clamped_double(exact.x / exact.w);
-    p.y = detail::clamped_double(exact.y / exact.w);
-    return p;
-  }
-  CallValues values;
-  for (const BranchId id : {a, b}) {
-    const Line& line = lines_[id.index()];
-    values.add({line.ax, line.ay});
-    values.add({line.bx, line.by});
-  }
-  on_grid(*this, values, [&](const auto& read, const CallGrid& grid) {
-    const auto exact = read.point(p);
-    p.x = values.values[0] + detail::rounded_quotient(exact.x, exact.w, grid.lo);
-    p.y = values.values[1] + detail::rounded_quotient(exact.y, exact.w, grid.lo);
-    return true;
-  });
-  constexpr double largest = std::numeric_limits<double>::max();
-  p.x = std::clamp(p.x, -largest, largest);
-  p.y = std::clamp(p.y, -largest, largest);
-  promote(p);
-  return p;
-}
-
-RationalPoint2 LinearFamily::exact(const Point& p) const {
-  const auto point = LinearReader<RationalCallNumbers>(*this).point(p);
-  return {point.x / point.w, point.y / point.w};
 }
 
 double LinearFamily::sweep_key(const Point& p) const {
