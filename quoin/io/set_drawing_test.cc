@@ -7,26 +7,12 @@
 #include <random>
 #include <vector>
 
+#include "quoin/arrangement/sets/test_sets.h"
 #include "quoin/base/error.h"
 #include "quoin/io/drawing_curves.h"
 
 namespace quoin {
 namespace {
-
-LinearPolygonSet random_set(std::mt19937& random, double base, unsigned size, int triangles) {
-  LinearFamily family;
-  PieceList<LinearFamily> list;
-  for (int t = 0; t < triangles; ++t) {
-    std::vector<Point2> ring;
-    while (ring.size() < 3) {
-      const Point2 p{base + static_cast<double>(random() % size), base + static_cast<double>(random() % size)};
-      if (ring.empty() || (p != ring.back() && p != ring.front())) ring.push_back(p);
-    }
-    family.add_polyline(list, ring, true);
-  }
-  return combine_rings(std::move(family), list, std::vector<std::uint32_t>(list.curve_count, 0), 1, FillRule::even_odd,
-                       SetOperation::unite, Context());
-}
 
 struct ReadBack {
   LinearPolygonSet set;
@@ -69,7 +55,8 @@ TEST(SetDrawing, RoundedSetsAreValidAndClose) {
   for (int round = 0; round < 400; ++round) {
     // Near 2^52 the doubles are the integers: crossings move by up to half a unit, and boundaries fall on one another.
     const bool is_coarse = round % 2 == 0;
-    const LinearPolygonSet set = random_set(random, is_coarse ? 0x1p52 : 0, is_coarse ? 12 : 9, 1 + round % 6);
+    const LinearPolygonSet set =
+        testing::set_of(testing::random_rings(random, 1 + round % 6, 1, is_coarse ? 12 : 9, is_coarse ? 0x1p52 : 0));
     const SetDrawing drawn = draw_set(set, Context());
     const ReadBack back = read_back(drawn.drawing);
     ASSERT_FALSE(back.problem.has_value()) << round;

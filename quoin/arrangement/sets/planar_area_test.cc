@@ -8,6 +8,7 @@
 #include <random>
 #include <vector>
 
+#include "quoin/arrangement/sets/test_sets.h"
 #include "quoin/base/error.h"
 
 namespace quoin {
@@ -15,13 +16,7 @@ namespace {
 
 const Context context;
 
-LinearPolygonSet set_of(const std::vector<std::vector<Point2>>& rings, FillRule rule) {
-  LinearFamily family;
-  PieceList<LinearFamily> list;
-  for (const std::vector<Point2>& ring : rings) family.add_polyline(list, ring, true);
-  const std::vector<std::uint32_t> operands(rings.size(), 0);
-  return combine_rings(std::move(family), list, operands, 1, rule, SetOperation::unite, context);
-}
+using testing::set_of;
 
 // Coordinates of all magnitudes, rings that cross; the oracle is the exact area.
 TEST(RoundedArea, IsThatOfTheExactArea) {

@@ -9,75 +9,25 @@
 #include <random>
 #include <sstream>
 
+#include "quoin/arrangement/sets/test_sets.h"
 #include "quoin/base/error.h"
 #include "quoin/base/test_rounds.h"
 
 namespace quoin {
 namespace {
 
-using Ring = std::vector<Point2>;
-using Rings = std::vector<Ring>;
-
-LinearPolygonSet set_of(const Rings& rings, FillRule rule = FillRule::even_odd) {
-  LinearFamily family;
-  PieceList<LinearFamily> list;
-  for (const Ring& ring : rings) family.add_polyline(list, ring, true);
-  return combine_rings(std::move(family), list, std::vector<std::uint32_t>(rings.size(), 0), 1, rule,
-                       SetOperation::unite, Context());
-}
-
-Ring box(double x, double y, double width, double height) {
-  return {{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}};
-}
+using testing::are_equal;
+using testing::both;
+using testing::box;
+using testing::random_rings;
+using testing::random_squares;
+using testing::Ring;
+using testing::Rings;
+using testing::set_of;
+using testing::written;
 
 PlanarMinkowskiSum add(const LinearPolygonSet& a, const LinearPolygonSet& b) {
   return minkowski_sum(a, b, {.find_tight_passages = true}, Context());
-}
-
-bool are_equal(const LinearPolygonSet& a, const LinearPolygonSet& b) {
-  const std::vector<const LinearPolygonSet*> pair{&a, &b};
-  return combine<LinearFamily>(pair, SetOperation::symmetric_difference, Regularity::plain, Context()).is_empty();
-}
-
-LinearPolygonSet both(const LinearPolygonSet& a, const LinearPolygonSet& b, SetOperation operation,
-                      Regularity regularity = Regularity::plain) {
-  const std::vector<const LinearPolygonSet*> pair{&a, &b};
-  return combine<LinearFamily>(pair, operation, regularity, Context());
-}
-
-std::string written(const Rings& rings) {
-  std::ostringstream text;
-  for (const Ring& ring : rings) {
-    for (const Point2& p : ring) text << std::setprecision(17) << '(' << p.x << ' ' << p.y << ") ";
-    text << "; ";
-  }
-  return text.str();
-}
-
-/// Rings on a grid that may touch and cross themselves; the even-odd rule makes sets with holes and parts of them.
-Rings random_rings(std::mt19937& random, int rings, int corners, int size) {
-  Rings result(static_cast<std::size_t>(rings));
-  for (Ring& ring : result) {
-    const std::size_t count = 3 + random() % static_cast<unsigned>(corners);
-    while (ring.size() < count) {
-      const Point2 p{static_cast<double>(random() % static_cast<unsigned>(size)),
-                     static_cast<double>(random() % static_cast<unsigned>(size))};
-      if (ring.empty() || (p != ring.back() && p != ring.front())) ring.push_back(p);
-    }
-  }
-  return result;
-}
-
-/// Squares of a grid, each there or not: tight everywhere.
-Rings random_squares(std::mt19937& random, int size) {
-  Rings result;
-  for (int x = 0; x < size; ++x) {
-    for (int y = 0; y < size; ++y) {
-      if (random() % 3 != 0) result.push_back(box(x, y, 1, 1));
-    }
-  }
-  if (result.empty()) result.push_back(box(0, 0, 1, 1));
-  return result;
 }
 
 using Exact = std::vector<RationalPoint2>;
@@ -216,7 +166,7 @@ TEST(PlanarMinkowski, OpenSumHoldsWhereOpenSetsMeet) {
     expect_open_sum(set_a, set_b, result, 8);
     slits += result.slits;
     isolated += result.isolated_points;
-    if (testing::Test::HasFailure()) break;
+    if (::testing::Test::HasFailure()) break;
   }
   EXPECT_GE(slits, test_cases(50U));
   EXPECT_GE(isolated, test_cases(5U));
@@ -400,36 +350,6 @@ TEST(PlanarMinkowski, NewHolesOfOpenRings) {
   EXPECT_EQ(passing.holes, 1U);
   EXPECT_EQ(passing.slits, 1U);
   EXPECT_EQ(add(room, set_of({box(0, 0, 1, 1)})).holes, 0U);
-}
-
-TEST(PlanarMotion, MovesWhatReachesInfinity) {
-  LinearFamily family;
-  PieceList<LinearFamily> list;
-  family.add_line(list, Point2{0, 0}, Point2{3, 1}, "line");
-  family.add_line(list, Point2{1, 0}, Point2{1, 5}, "line");
-  family.add_ray(list, Point2{4, -2}, Point2{4, -3}, "ray");
-  family.add_segment(list, Point2{-2, 3}, Point2{-1, 3}, "segment");
-  family.add_point(list, Point2{-3, 4}, "point");
-  const LinearArrangement drawn = arrange(std::move(family), list, Context());
-  std::mt19937 random(4);
-  const RationalPoint2 there{Rational(Integer(1), Integer(3)), Rational(7)};
-  const RationalPoint2 back{Rational(Integer(-1), Integer(3)), Rational(-7)};
-  for (int round = 0; round < 50; ++round) {
-    const auto bits = [&](std::size_t size) {
-      std::vector<bool> result(size);
-      for (std::size_t i = 0; i < size; ++i) result[i] = random() % 2 == 1;
-      return result;
-    };
-    const LinearPolygonSet set(drawn, bits(drawn.vertex_count()), bits(drawn.edge_count()), bits(drawn.face_count()));
-    const LinearPolygonSet moved = translated(set, there, Context());
-    dcel::check_links(moved.arrangement().cells());
-    EXPECT_TRUE(are_equal(translated(moved, back, Context()), set)) << "round " << round;
-    const LinearPolygonSet turned = reflected(set, there, Context());
-    dcel::check_links(turned.arrangement().cells());
-    EXPECT_TRUE(are_equal(reflected(turned, there, Context()), set)) << "round " << round;
-    EXPECT_TRUE(are_equal(translated(reflected(set, Context()), there, Context()), turned)) << "round " << round;
-    EXPECT_EQ(turned.arrangement().counts().unbounded_faces, set.arrangement().counts().unbounded_faces);
-  }
 }
 
 TEST(PlanarMinkowski, EmptyAndUnboundedOperands) {

@@ -12,63 +12,21 @@
 
 #include "quoin/arrangement/sets/planar_motion.h"
 #include "quoin/arrangement/sets/planar_normals.h"
+#include "quoin/arrangement/sets/test_sets.h"
 #include "quoin/base/error.h"
 #include "quoin/base/test_rounds.h"
 
 namespace quoin {
 namespace {
 
-using Ring = std::vector<Point2>;
-using Rings = std::vector<Ring>;
-
-LinearPolygonSet set_of(const Rings& rings) {
-  LinearFamily family;
-  PieceList<LinearFamily> list;
-  for (const Ring& ring : rings) family.add_polyline(list, ring, true);
-  return combine_rings(std::move(family), list, std::vector<std::uint32_t>(rings.size(), 0), 1, FillRule::even_odd,
-                       SetOperation::unite, Context());
-}
-
-Ring box(double x, double y, double width, double height) {
-  return {{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}};
-}
-
-Rings random_rings(std::mt19937& random, int rings, int corners, int size) {
-  Rings result(static_cast<std::size_t>(rings));
-  for (Ring& ring : result) {
-    const std::size_t count = 3 + random() % static_cast<unsigned>(corners);
-    while (ring.size() < count) {
-      const Point2 p{static_cast<double>(random() % static_cast<unsigned>(size)),
-                     static_cast<double>(random() % static_cast<unsigned>(size))};
-      if (ring.empty() || (p != ring.back() && p != ring.front())) ring.push_back(p);
-    }
-  }
-  return result;
-}
-
-Rings random_squares(std::mt19937& random, int size) {
-  Rings result{box(0, 0, 1, 1)};
-  for (int x = 0; x < size; ++x) {
-    for (int y = x == 0 ? 1 : 0; y < size; ++y) {
-      if (random() % 3 != 0) result.push_back(box(x, y, 1, 1));
-    }
-  }
-  return result;
-}
-
-std::string written(const Rings& rings) {
-  std::ostringstream text;
-  for (const Ring& ring : rings) {
-    for (const Point2& p : ring) text << '(' << p.x << ' ' << p.y << ") ";
-    text << "; ";
-  }
-  return text.str();
-}
-
-CircularPolygonSet both(const CircularPolygonSet& a, const CircularPolygonSet& b, SetOperation operation) {
-  const std::vector<const CircularPolygonSet*> pair{&a, &b};
-  return combine<CircularFamily>(pair, operation, Regularity::plain, Context());
-}
+using testing::both;
+using testing::box;
+using testing::random_rings;
+using testing::random_squares;
+using testing::Ring;
+using testing::Rings;
+using testing::set_of;
+using testing::written;
 
 bool is_within(const CircularPolygonSet& a, const CircularPolygonSet& b) {
   return both(a, b, SetOperation::subtract).is_empty();
@@ -204,7 +162,7 @@ TEST(PlanarOffset, HoldsTheRightPoints) {
     samples.expect_between(-thin, in.inner, CircularPolygonSet().complement());
     samples.expect_between(-thin - bound, CircularPolygonSet(), in.outer);
     samples.expect_between(-thin - bound, CircularPolygonSet(), in.inner);
-    if (testing::Test::HasFailure()) break;
+    if (::testing::Test::HasFailure()) break;
   }
 }
 

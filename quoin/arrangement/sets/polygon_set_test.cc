@@ -5,36 +5,16 @@
 
 #include <random>
 
-#include "quoin/arrangement/linear/linear_polygon_set.h"
+#include "quoin/arrangement/sets/test_sets.h"
 #include "quoin/base/test_rounds.h"
 
 namespace quoin {
 namespace {
 
-using Ring = std::vector<Point2>;
-using Rings = std::vector<Ring>;
-
-/// Small polygons on a grid: they touch, overlap and cross themselves.
-Rings random_rings(std::mt19937& random, int rings, int size) {
-  Rings result(static_cast<std::size_t>(rings));
-  for (Ring& ring : result) {
-    const std::size_t count = 3 + random() % 4;
-    while (ring.size() < count) {
-      const Point2 p{static_cast<double>(random() % static_cast<unsigned>(size)),
-                     static_cast<double>(random() % static_cast<unsigned>(size))};
-      if (ring.empty() || (p != ring.back() && p != ring.front())) ring.push_back(p);
-    }
-  }
-  return result;
-}
-
-LinearPolygonSet set_of(const Rings& rings, FillRule rule) {
-  LinearFamily family;
-  PieceList<LinearFamily> list;
-  for (const Ring& ring : rings) family.add_polyline(list, ring, true);
-  return combine_rings(std::move(family), list, std::vector<std::uint32_t>(rings.size(), 0), 1, rule,
-                       SetOperation::unite, Context());
-}
+using testing::random_rings;
+using testing::Ring;
+using testing::Rings;
+using testing::set_of;
 
 int winding(const Rings& rings, const RationalPoint2& p) {
   int result = 0;
@@ -97,8 +77,8 @@ TEST(PolygonSet, OperationsAgreeWithSamplePoints) {
   std::mt19937 random(11);
   for (int round = 0; round < test_rounds(400); ++round) {
     const int size = 3 + round % 6;
-    const Rings a = random_rings(random, 1 + round % 3, size);
-    const Rings b = random_rings(random, 1 + round % 2, size);
+    const Rings a = random_rings(random, 1 + round % 3, 4, size);
+    const Rings b = random_rings(random, 1 + round % 2, 4, size);
     const auto rule = static_cast<FillRule>(round % 3);
     const LinearPolygonSet set_a = set_of(a, rule);
     const LinearPolygonSet set_b = set_of(b, rule);
@@ -139,7 +119,7 @@ TEST(PolygonSet, ManyAtOnceEqualOneByOne) {
     std::vector<std::uint32_t> operand;
     std::vector<LinearPolygonSet> sets;
     for (std::size_t i = 0; i < count; ++i) {
-      const Rings rings = random_rings(random, 1, 9);
+      const Rings rings = random_rings(random, 1, 4, 9);
       family.add_polyline(list, rings[0], true);
       operand.push_back(static_cast<std::uint32_t>(i));
       sets.push_back(set_of(rings, FillRule::nonzero));
@@ -182,7 +162,7 @@ TEST(PolygonSet, PlainOperationsKeepPointsAndEdges) {
 TEST(PolygonSet, TopologicalOperators) {
   std::mt19937 random(3);
   for (int round = 0; round < 100; ++round) {
-    const LinearPolygonSet set = set_of(random_rings(random, 2, 5), FillRule::even_odd);
+    const LinearPolygonSet set = set_of(random_rings(random, 2, 4, 5), FillRule::even_odd);
     EXPECT_EQ(area(set.complement().complement()), area(set));
     EXPECT_TRUE(set.interior().closure().is_regular());
     EXPECT_EQ(area(set.interior().closure()), area(set));
