@@ -19,7 +19,10 @@ class BuildVisitor : public SweepVisitor<typename F::Point> {
 
   /// `follows_points`: vertex_of_point will be asked for.
   BuildVisitor(const F& family, const PieceList<F>& list, bool follows_points = true)
-      : family_(family), list_(list), curve_count_(list.curve_count), vertex_of_point_(follows_points ? list.points.size() : 0) {
+      : family_(family),
+        list_(list),
+        curve_count_(list.curve_count),
+        vertex_of_point_(follows_points ? list.points.size() : 0) {
     if constexpr (has_glued_sides) number_copies();
   }
 
