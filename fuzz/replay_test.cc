@@ -7,6 +7,7 @@
 #include <random>
 
 #include "fuzz/targets.h"
+#include "quoin/base/test_rounds.h"
 #include "quoin/io/mesh_file.h"
 
 namespace quoin::fuzz {
@@ -43,7 +44,7 @@ TEST(Replay, DamagedSeeds) {
     for (const std::filesystem::path& file : files_of(target.name)) {
       SCOPED_TRACE(file.string());
       const std::string whole = read_file(file);
-      for (int i = 0; i < 60 && !whole.empty(); ++i) {
+      for (int i = 0; i < test_rounds(60) && !whole.empty(); ++i) {
         std::string text = whole;
         for (std::size_t k = random() % 4; k > 0; --k) text[random() % text.size()] = static_cast<char>(random());
         if (random() % 3 == 0) text.resize(random() % text.size());
@@ -57,7 +58,7 @@ TEST(Replay, DamagedSeeds) {
 TEST(Replay, RandomBytes) {
   std::mt19937 random(5);
   for (const NamedTarget& target : targets) {
-    for (int i = 0; i < 300; ++i) {
+    for (int i = 0; i < test_rounds(300); ++i) {
       std::string text(random() % 64, ' ');
       for (char& c : text) c = static_cast<char>(random());
       run(target, text);

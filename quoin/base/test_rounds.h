@@ -3,7 +3,7 @@
 
 namespace quoin {
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef QUOIN_SANITIZED
 inline constexpr bool tests_take_fewer_rounds = true;
 #else
 inline constexpr bool tests_take_fewer_rounds = false;

@@ -62,10 +62,10 @@ RationalPoint3 point_of(const std::vector<Rational>& numbers, std::size_t first 
 }
 
 // The nearest doubles of a vertex stand for its exact place.
-Json describe(const Location& location, const Brep& b) {
+Json describe(const SolidLocation& location, const Brep& b) {
   Json json;
   json["place"] = name_of(location.place);
-  if (location.face != Location::no_face) {
+  if (location.face != SolidLocation::no_face) {
     json["face"] = location.face;
     const Origin& origin = b.origins[b.face_first_origin[location.face]];
     json["origin"] = {{"input", origin.leaf}, {"face", origin.face}};
@@ -82,7 +82,7 @@ std::vector<Query> line_queries(const Options& options) {
   return queries;
 }
 
-Json classify_points(const PointLocator& locator, const std::vector<Query>& queries, std::string& report,
+Json classify_points(const SolidLocator& locator, const std::vector<Query>& queries, std::string& report,
                      const Context& context) {
   Json all = Json::array();
   for (const Query& query : queries) {
@@ -103,7 +103,7 @@ std::string text_of(double number) {
   return out.str();
 }
 
-Json classify_lines(const PointLocator& locator, const std::vector<Query>& queries, std::string& report,
+Json classify_lines(const SolidLocator& locator, const std::vector<Query>& queries, std::string& report,
                     const Context& context) {
   Json all = Json::array();
   for (const Query& query : queries) {
@@ -119,7 +119,7 @@ Json classify_lines(const PointLocator& locator, const std::vector<Query>& queri
       events.push_back(std::move(event));
     }
     Json pieces = Json::array();
-    for (const Location& piece : cut.pieces) pieces.push_back(name_of(piece.place));
+    for (const SolidLocation& piece : cut.pieces) pieces.push_back(name_of(piece.place));
     report += query.text + ": " + name_of(cut.pieces[0].place);
     for (std::size_t i = 0; i < cut.events.size(); ++i) {
       report += " | t = " + text_of(cut.events[i].parameter.to_double()) + " " + name_of(cut.events[i].location.place) +
@@ -192,7 +192,7 @@ int run_classify(const Options& options, const Context& context) {
   const std::vector<Query> points = point_queries(options, 3);
   std::vector<std::string> warnings;
   const std::shared_ptr<const Brep> boundary = load_boundary(options.inputs[0], options, warnings, context);
-  const PointLocator locator(*boundary, context);
+  const SolidLocator locator(*boundary, context);
   std::string report;
   Json json;
   json["file"] = options.inputs[0];

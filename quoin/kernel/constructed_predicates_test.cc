@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "quoin/base/error.h"
+#include "quoin/base/test_rounds.h"
 #include "quoin/kernel/constructed_filters.h"
 #include "quoin/kernel/order.h"
 #include "quoin/kernel/predicates2.h"
@@ -259,7 +260,7 @@ TEST(ConstructedPredicates, NearlyDegeneratePointsOfAnySizeAgreeWithRationals) {
       SCOPED_TRACE("scale 2^" + std::to_string(k) + " unit 2^" + std::to_string(unit));
       Thirds points(random, near_grid(random, unit, unit == 3 ? 0 : 1), k, 1 << std::min(unit, 30));
       testing::construct(points.model(), random, 10);
-      ASSERT_NO_FATAL_FAILURE(check_random_calls(points.model(), random, 120));
+      ASSERT_NO_FATAL_FAILURE(check_random_calls(points.model(), random, test_rounds(120)));
     }
   }
 }
@@ -275,7 +276,7 @@ TEST(ConstructedPredicates, ClustersFarFromTheOriginAgreeWithRationals) {
         for (unsigned i = 0; i < 3; ++i) p[i] += ((axes >> i) & 1) != 0 ? std::ldexp(1.0, shift) : 0;
       }
       Thirds points(random, targets, 0, 2);
-      ASSERT_NO_FATAL_FAILURE(check_random_calls(points.model(), random, 200));
+      ASSERT_NO_FATAL_FAILURE(check_random_calls(points.model(), random, test_rounds(200)));
     }
   }
 }

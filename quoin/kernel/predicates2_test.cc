@@ -8,6 +8,7 @@
 #include <map>
 #include <utility>
 
+#include "quoin/base/test_rounds.h"
 #include "quoin/kernel/test_points.h"
 
 namespace quoin {
@@ -77,7 +78,7 @@ TEST(Predicates2, EveryTierAgreesWithRationals) {
   Random random(11);
   for (const Family& family : families()) {
     SCOPED_TRACE(family.name);
-    for (int i = 0; i < 4'000; ++i) {
+    for (int i = 0; i < test_rounds(4'000); ++i) {
       const auto p = near_degenerate<Point2, 3>(random, family);
       const auto q = near_degenerate<Point2, 4>(random, family);
       Tier tier{};

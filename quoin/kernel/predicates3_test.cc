@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "quoin/base/test_rounds.h"
 #include "quoin/kernel/test_points.h"
 
 namespace quoin {
@@ -103,7 +104,7 @@ TEST(Predicates3, EveryTierAgreesWithRationals) {
   Random random(21);
   for (const Family& family : families()) {
     SCOPED_TRACE(family.name);
-    for (int i = 0; i < 1'000; ++i) {
+    for (int i = 0; i < test_rounds(1'000); ++i) {
       const auto p = near_degenerate<Point3, 4>(random, family);
       const auto q = near_degenerate<Point3, 5>(random, family);
       Tier tier{};

@@ -59,7 +59,7 @@ template <std::size_t B>
 Numbers<B> numbers(Random& random) {
   const int bits = random() % 2 == 0 ? 3 : static_cast<int>(B) / 2 - 1;
   std::int64_t a = draw(random, bits);
-  const std::int64_t b = draw(random, bits);
+  std::int64_t b = draw(random, bits);
   std::int64_t c = std::abs(draw(random, bits));
   const std::int64_t e = draw(random, bits);
   std::int64_t f = std::abs(draw(random, bits));
@@ -67,7 +67,10 @@ Numbers<B> numbers(Random& random) {
   if (random() % 3 == 0) {
     const std::int64_t root = std::abs(draw(random, bits / 2));
     c = root * root;
-    if (random() % 2 == 0) a = -b * root + draw(random, 1);
+    if (random() % 2 == 0) {
+      b = draw(random, bits / 2);
+      a = -b * root + draw(random, 1);
+    }
   }
   if (random() % 3 == 0) f = c;
   return {BoundedInt<B>(a), BoundedInt<B>(b), BoundedInt<B>(c), BoundedInt<B>(random() % 4 == 0 ? b : e),

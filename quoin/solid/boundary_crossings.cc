@@ -337,7 +337,7 @@ class CrossingFinder {
   const Brep& b_;
   std::size_t max_listed_;
   const Context& context_;
-  PointLocator locator_;
+  SolidLocator locator_;
   std::vector<EdgeUse> uses_;  // sorted
   std::vector<BoundaryEdge> edges_;
   std::vector<PointId> vertices_;    // of loops of two and more

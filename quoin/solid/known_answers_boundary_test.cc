@@ -159,7 +159,7 @@ TEST(KnownAnswersBoundary, PointsThatALineMeetsByThemselvesAreKept) {
   mesh.add_face(bottom);
   mesh.add_face(top);
   const Solid saw = solid(mesh);
-  const PointLocator locator(saw.boundary(), one_thread);
+  const SolidLocator locator(saw.boundary(), one_thread);
   const LineClassification line = classify_line(locator, {{0, 2, Rational(1) / Rational(2)}, {1, 0, 0}}, one_thread);
   ASSERT_EQ(line.events.size(), 4U);
   const Place places[] = {Place::out, Place::in, Place::out, Place::out, Place::out};

@@ -74,7 +74,7 @@ TEST(KnownAnswersCsg, NeighbourhoodsThatFillUp) {
 // of the caps lies beside the caps and is no event.
 TEST(KnownAnswersCsg, ALineThroughAPrimitive) {
   const Solid prism = box({-1, -1, 0}, {1, 1, 2});
-  const PointLocator locator(prism.boundary(), one_thread);
+  const SolidLocator locator(prism.boundary(), one_thread);
   const LineClassification line = classify_line(locator, {{2, 0, 0}, {-2, 0, 1}}, one_thread);
   ASSERT_EQ(line.events.size(), 2U);
   EXPECT_EQ(line.events[0].parameter, half);

@@ -108,7 +108,7 @@ TEST(KnownAnswersTraps, ThreePrismsWithConcurrentSides) {
 // each event where its point is.
 TEST(KnownAnswersTraps, LinesThroughVerticesOfASolidWithAHole) {
   const Solid s = (box({0, 0, 0}, {4, 4, 2}) - box({1, 1, 0}, {3, 3, 2})) | box({4, 4, 0}, {5, 5, 2});
-  const PointLocator locator(s.boundary(), one_thread);
+  const SolidLocator locator(s.boundary(), one_thread);
   std::vector<RationalPoint3> points;
   for (std::size_t v = 0; v < s.boundary().points.point_count(); ++v)
     points.push_back(s.boundary().points.exact(PointId{v}));

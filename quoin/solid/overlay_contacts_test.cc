@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "quoin/base/test_rounds.h"
+
 #include "quoin/solid/overlay/contacts.h"
 
 namespace quoin::overlay {
@@ -146,7 +148,7 @@ TEST(Contacts, RandomTrianglesOnSmallGrids) {
   for (const int size : {2, 3, 4}) {
     std::uniform_int_distribution<int> coordinate(0, size);
     for (const bool flat : {false, true}) {
-      for (int repeat = 0; repeat < 4000; ++repeat) {
+      for (int repeat = 0; repeat < test_rounds(4000); ++repeat) {
         const auto point = [&] {
           return Point3{double(coordinate(random)), double(coordinate(random)),
                         flat ? 0.0 : double(coordinate(random))};

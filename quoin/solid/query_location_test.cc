@@ -6,6 +6,7 @@
 #include <random>
 
 #include "quoin/base/error.h"
+#include "quoin/base/test_rounds.h"
 #include "quoin/solid/query/line_classification.h"
 #include "quoin/solid/query/point_location.h"
 #include "quoin/solid/shapes.h"
@@ -85,7 +86,7 @@ class UnitCubes {
 };
 
 void expect_places(const Solid& s, const UnitCubes& cubes, int size, bool is_complement, const std::string& seed) {
-  const PointLocator locator(s.boundary(), one_thread);
+  const SolidLocator locator(s.boundary(), one_thread);
   for (int x = -1; x <= 2 * size + 1; ++x) {
     for (int y = -1; y <= 2 * size + 1; ++y) {
       for (int z = -1; z <= 2 * size + 1; ++z) {
@@ -99,7 +100,7 @@ void expect_places(const Solid& s, const UnitCubes& cubes, int size, bool is_com
 }
 
 TEST(PointLocation, EveryPointOfAHalfIntegerGridAgainstUnitCubes) {
-  for (unsigned seed = 0; seed < 30; ++seed) {
+  for (unsigned seed = 0; seed < test_rounds(30U); ++seed) {
     std::mt19937 random(seed);
     const std::vector<GridBox> boxes = random_boxes(random, 5, 4);
     const std::vector<Solid> solids = solids_of(boxes);
@@ -118,23 +119,23 @@ TEST(PointLocation, ElementsOfABoundaryWithConstructedVertices) {
   const Solid s = intersect(std::array{solid(shapes::cube(1)), turned}, one_thread);
   const Brep& b = s.boundary();
   ASSERT_GT(b.face_count(), 6U);
-  const PointLocator locator(b, one_thread);
+  const SolidLocator locator(b, one_thread);
   for (std::size_t l = 0; l < b.loop_count(); ++l) {
     const auto loop = b.loop(l);
     RationalPoint3 mean{0, 0, 0};
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const PointId p = loop[i];
       const PointId q = loop[(i + 1) % loop.size()];
-      const Location at_vertex = locator.locate(b.points.exact(p));
+      const SolidLocation at_vertex = locator.locate(b.points.exact(p));
       EXPECT_EQ(at_vertex.place, Place::on_vertex);
       EXPECT_EQ(at_vertex.a, p);
-      const Location at_edge = locator.locate((b.points.exact(p) + b.points.exact(q)) * Rational(0.5));
+      const SolidLocation at_edge = locator.locate((b.points.exact(p) + b.points.exact(q)) * Rational(0.5));
       EXPECT_EQ(at_edge.place, Place::on_edge);
       EXPECT_EQ(at_edge.a, std::min(p, q));
       EXPECT_EQ(at_edge.b, std::max(p, q));
       mean = mean + b.points.exact(p) * (Rational(1) / Rational(static_cast<std::int64_t>(loop.size())));
     }
-    const Location at_face = locator.locate(mean);  // all faces are convex
+    const SolidLocation at_face = locator.locate(mean);  // all faces are convex
     EXPECT_EQ(at_face.place, Place::on_face);
     const RationalPoint3 inside{0.5, 0.5, 0.5};
     const Rational tiny = Rational(1) / (Rational(Integer(1) << 200));
@@ -150,8 +151,8 @@ TEST(PointLocation, AllThreadsGiveTheSame) {
   std::uniform_real_distribution<double> coordinate(-3, 3);
   for (int i = 0; i < 2000; ++i) points.push_back({coordinate(random), coordinate(random), coordinate(random) / 3});
   const Context two({.threads = 2});
-  const PointLocator locator(s.boundary(), two);
-  const std::vector<Location> places = locate_all(locator, points, two);
+  const SolidLocator locator(s.boundary(), two);
+  const std::vector<SolidLocation> places = locate_all(locator, points, two);
   EXPECT_EQ(places, locate_all(locator, points, one_thread));
   std::size_t in = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -167,7 +168,7 @@ TEST(PointLocation, AllThreadsGiveTheSame) {
 
 TEST(LineClassification, ThroughACubeInEveryWay) {
   const Solid cube = solid(shapes::cube(1));
-  const PointLocator locator(cube.boundary(), one_thread);
+  const SolidLocator locator(cube.boundary(), one_thread);
   const auto cut = [&](const RationalPoint3& origin, const RationalPoint3& direction) {
     return classify_line(locator, {origin, direction}, one_thread);
   };
@@ -206,7 +207,7 @@ TEST(LineClassification, PiecesAreWhereTheirPointsAre) {
     std::mt19937 random(seed);
     const std::vector<GridBox> boxes = random_boxes(random, 5, 4);
     const Solid s = unite(solids_of(boxes), one_thread);
-    const PointLocator locator(s.boundary(), one_thread);
+    const SolidLocator locator(s.boundary(), one_thread);
     for (int i = 0; i < 40; ++i) {
       const auto grid = [&] { return Rational(static_cast<int>(random() % 5)); };
       const auto step = [&] { return Rational(static_cast<int>(random() % 5) - 2); };

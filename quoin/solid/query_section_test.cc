@@ -114,7 +114,7 @@ TEST(Section, HoldsThePointsJustAboveTheSolidsPoints) {
       if (lo.x < hi.x && lo.y < hi.y && lo.z < hi.z) solids.push_back(box(lo, hi));
     }
     const Solid s = seed % 2 == 0 ? unite(solids, one_thread) : symmetric_difference(solids, one_thread);
-    const PointLocator locator(s.boundary(), one_thread);
+    const SolidLocator locator(s.boundary(), one_thread);
     // A plane of the grid, a diagonal one through grid points, a general one; none parallel to the axis seen along.
     const std::array<SectionPlane, 4> planes{SectionPlane{{0, 0, 1}, 2}, SectionPlane{{0, 0, -2}, -4},
                                              SectionPlane{{1, 1, 1}, 6}, SectionPlane{{1, -2, 3}, Rational(3.25)}};

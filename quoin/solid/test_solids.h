@@ -119,7 +119,7 @@ inline Brep boundary_of_faces(const Mesh& mesh) {
 }
 
 inline Place place_of(const Solid& s, const RationalPoint3& point) {
-  return PointLocator(s.boundary(), one_thread).locate(point).place;
+  return SolidLocator(s.boundary(), one_thread).locate(point).place;
 }
 
 }  // namespace quoin::testing

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "quoin/base/test_rounds.h"
 #include "quoin/io/exact_text.h"
 #include "quoin/solid/check.h"
 #include "quoin/solid/exit.h"
@@ -200,7 +201,7 @@ TEST(Touching, RandomSolidsOnSmallGrids) {
   std::size_t vertices = 0;
   std::size_t edges = 0;
   std::size_t failed = 0;
-  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+  for (std::uint64_t seed = 0; seed < test_rounds(300U); ++seed) {
     SCOPED_TRACE(::testing::Message() << "seed " << seed);
     std::mt19937_64 random(seed);
     std::uniform_int_distribution<int> coordinate(0, 2 + static_cast<int>(seed % 3));
@@ -227,8 +228,8 @@ TEST(Touching, RandomSolidsOnSmallGrids) {
     failed += t.rounding == Rounding::failed ? 1 : 0;
     if (t.rounding != Rounding::failed) expect_no_contacts(t);
   }
-  EXPECT_GT(vertices, 10U);
-  EXPECT_GT(edges, 10U);
+  EXPECT_GT(vertices, test_cases(10U));
+  EXPECT_GT(edges, test_cases(10U));
   EXPECT_LT(failed, 6U);
   RecordProperty("vertices", static_cast<int>(vertices));
   RecordProperty("edges", static_cast<int>(edges));

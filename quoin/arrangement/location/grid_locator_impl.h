@@ -34,7 +34,7 @@ Location GridLocator<F>::locate(const Point& p) const {
   const Column& column = columns_[column_of(position.x)];
   const double* bounds = bounds_.data() + column.first_bound;
   const auto row =
-      static_cast<std::uint32_t>(std::upper_bound(bounds, bounds + column.row_count - 1, position.y) - bounds);
+      static_cast<std::uint32_t>(std::upper_bound(bounds, bounds + (column.row_count - 1), position.y) - bounds);
   return locate_in_column(p, column, row);
 }
 

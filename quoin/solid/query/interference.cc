@@ -15,7 +15,7 @@ namespace {
 // of the other do not exist.
 class EdgesAgainstFaces {
  public:
-  EdgesAgainstFaces(const Brep& edges, const PointLocator& faces, const Context& context)
+  EdgesAgainstFaces(const Brep& edges, const SolidLocator& faces, const Context& context)
       : edges_(edges), locator_(faces), faces_(faces.boundary()), context_(context) {}
 
   bool meet() {
@@ -91,15 +91,15 @@ class EdgesAgainstFaces {
   }
 
   const Brep& edges_;
-  const PointLocator& locator_;
+  const SolidLocator& locator_;
   const Brep& faces_;
   const Context& context_;
   std::vector<std::uint32_t> near_;
 };
 
 bool boundaries_meet(const Brep& a, const Brep& b, const Context& context) {
-  const PointLocator in_a(a, context);
-  const PointLocator in_b(b, context);
+  const SolidLocator in_a(a, context);
+  const SolidLocator in_b(b, context);
   return EdgesAgainstFaces(a, in_b, context).meet() || EdgesAgainstFaces(b, in_a, context).meet();
 }
 

@@ -16,7 +16,7 @@ Point3 rounded(const RationalPoint3& p) {
 
 class LineCutter {
  public:
-  LineCutter(const PointLocator& locator, const Line3& line, const Context& context)
+  LineCutter(const SolidLocator& locator, const Line3& line, const Context& context)
       : locator_(locator), b_(locator.boundary()), line_(line), context_(context) {}
 
   LineClassification run() {
@@ -96,7 +96,7 @@ class LineCutter {
     for (std::size_t i = 0; i < parameters_.size(); ++i) {
       context_.poll();
       RationalPoint3 point = at(parameters_[i]);
-      const Location location = locator_.locate(point);
+      const SolidLocation location = locator_.locate(point);
       result.events.push_back({parameters_[i], std::move(point), location});
       const Rational after =
           i + 1 < parameters_.size() ? (parameters_[i] + parameters_[i + 1]) * half : parameters_[i] + Rational(1);
@@ -105,7 +105,7 @@ class LineCutter {
     return result;
   }
 
-  const PointLocator& locator_;
+  const SolidLocator& locator_;
   const Brep& b_;
   const Line3& line_;
   const Context& context_;
@@ -114,7 +114,7 @@ class LineCutter {
 
 }  // namespace
 
-LineClassification classify_line(const PointLocator& locator, const Line3& line, const Context& context) {
+LineClassification classify_line(const SolidLocator& locator, const Line3& line, const Context& context) {
   if (line.direction == RationalPoint3{0, 0, 0}) throw InputError("the direction of a line is zero");
   return LineCutter(locator, line, context).run();
 }

@@ -17,17 +17,17 @@ struct Line3 {
 struct LineEvent {
   Rational parameter;
   RationalPoint3 point;
-  Location location;
+  SolidLocation location;
 };
 
 /// A line cut by a boundary: piece i lies before event i, the last piece behind the last event.
 struct LineClassification {
-  std::vector<LineEvent> events;  ///< by ascending parameter
-  std::vector<Location> pieces;   ///< events.size() + 1 of them; in, out, on a face or along an edge
+  std::vector<LineEvent> events;      ///< by ascending parameter
+  std::vector<SolidLocation> pieces;  ///< events.size() + 1 of them; in, out, on a face or along an edge
 };
 
 /// Cuts a line by the boundary. Exact. O(log n + c) for c corners of faces near the line, times O(log n) per event.
 /// @throws InputError  the direction is zero
-LineClassification classify_line(const PointLocator& locator, const Line3& line, const Context& context);
+LineClassification classify_line(const SolidLocator& locator, const Line3& line, const Context& context);
 
 }  // namespace quoin

@@ -31,26 +31,26 @@ FloatBox box_of_face(const Brep& boundary, std::uint32_t face) {
   return box;
 }
 
-PointLocator::PointLocator(const Brep& boundary, const Context& context)
+SolidLocator::SolidLocator(const Brep& boundary, const Context& context)
     : boundary_(boundary), tree_(face_boxes(boundary, context), context) {}
 
-Location PointLocator::locate(const Point3& point) const {
+SolidLocation SolidLocator::locate(const Point3& point) const {
   return locate(RationalPoint3{point.x, point.y, point.z});
 }
 
-Location PointLocator::locate(const RationalPoint3& point) const {
+SolidLocation SolidLocator::locate(const RationalPoint3& point) const {
   const PlacedPoint placed(boundary_.points, point);
-  const Location location = on_boundary(placed);
+  const SolidLocation location = on_boundary(placed);
   if (is_on_boundary(location.place)) return location;
-  return {is_inside(placed) ? Place::in : Place::out, Location::no_face, {}, {}};
+  return {is_inside(placed) ? Place::in : Place::out, SolidLocation::no_face, {}, {}};
 }
 
 // A vertex before an edge before a face, and the first face of each.
-Location PointLocator::on_boundary(const PlacedPoint& point) const {
+SolidLocation SolidLocator::on_boundary(const PlacedPoint& point) const {
   std::vector<std::uint32_t> near;
   tree_.tiles_in_box(point.rounded(), point.rounded(), near);
   std::sort(near.begin(), near.end());
-  Location best;
+  SolidLocation best;
   for (const std::uint32_t face : near) {
     if (side_of_face(boundary_, face, point) != Sign::zero) continue;
     const FacePlace place = place_in_face(boundary_, face, point, projection_axis(boundary_, face));
@@ -65,7 +65,7 @@ Location PointLocator::on_boundary(const PlacedPoint& point) const {
 
 // The point is not on the boundary. A face that the moved line meets is not parallel to it, and the point not on its
 // plane: the line meets the face next to where it meets the plane.
-bool PointLocator::is_inside(const PlacedPoint& point) const {
+bool SolidLocator::is_inside(const PlacedPoint& point) const {
   constexpr unsigned u = (line_axis + 1) % 3;
   constexpr unsigned v = (line_axis + 2) % 3;
   const std::array<double, 2> at{point.rounded()[u], point.rounded()[v]};
@@ -81,8 +81,9 @@ bool PointLocator::is_inside(const PlacedPoint& point) const {
   return inside;
 }
 
-std::vector<Location> locate_all(const PointLocator& locator, std::span<const Point3> points, const Context& context) {
-  std::vector<Location> result(points.size());
+std::vector<SolidLocation> locate_all(const SolidLocator& locator, std::span<const Point3> points,
+                                      const Context& context) {
+  std::vector<SolidLocation> result(points.size());
   for_each_chunk(context, points.size(), 256, [&](const Chunk& chunk) {
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) result[i] = locator.locate(points[i]);
   });

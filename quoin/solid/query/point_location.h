@@ -19,14 +19,14 @@ constexpr bool is_on_boundary(Place place) {
 }
 
 /// A place with the element of the boundary that the point lies on.
-struct Location {
+struct SolidLocation {
   Place place = Place::out;
   std::uint32_t face = no_face;  ///< the face, or the first of those about the edge or vertex
   PointId a;                     ///< the vertex, or an end of the edge
   PointId b;                     ///< the other end of the edge
 
   static constexpr std::uint32_t no_face = 0xFFFFFFFFU;
-  friend bool operator==(const Location&, const Location&) = default;
+  friend bool operator==(const SolidLocation&, const SolidLocation&) = default;
 };
 
 /// Answers where points lie with respect to one boundary. Immutable after construction; safe to share between threads.
@@ -34,21 +34,21 @@ struct Location {
 /// Exact for any rational point. Boundary points are recognised as such; others are inside when a line from them
 /// crosses an odd number of faces (an even number for unbounded solids), the line moved by an infinitesimal so that it
 /// meets no edge.
-class PointLocator {
+class SolidLocator {
  public:
   /// O(n log n). The boundary must outlive the locator.
-  PointLocator(const Brep& boundary, const Context& context);
+  SolidLocator(const Brep& boundary, const Context& context);
 
   /// O(log n + c) for c corners of faces near the point or near the line through it along z.
-  Location locate(const RationalPoint3& point) const;
-  Location locate(const Point3& point) const;
+  SolidLocation locate(const RationalPoint3& point) const;
+  SolidLocation locate(const Point3& point) const;
 
   const Brep& boundary() const { return boundary_; }
   /// The tree of the faces' boxes.
   const BoxTree& tree() const { return tree_; }
 
  private:
-  Location on_boundary(const PlacedPoint& point) const;
+  SolidLocation on_boundary(const PlacedPoint& point) const;
   bool is_inside(const PlacedPoint& point) const;
 
   const Brep& boundary_;
@@ -59,6 +59,7 @@ class PointLocator {
 FloatBox box_of_face(const Brep& boundary, std::uint32_t face);
 
 /// All of `points`, on all threads.
-std::vector<Location> locate_all(const PointLocator& locator, std::span<const Point3> points, const Context& context);
+std::vector<SolidLocation> locate_all(const SolidLocator& locator, std::span<const Point3> points,
+                                      const Context& context);
 
 }  // namespace quoin

@@ -124,7 +124,7 @@ class ShellGrouping {
   }
 
   const Brep& b_;
-  PointLocator locator_;
+  SolidLocator locator_;
   const Context& context_;
   std::vector<std::uint32_t> parent_;  // the last entry stands for what lies at infinity
 };
