@@ -61,7 +61,7 @@ TEST(Drawing, EachFormatHoldsItsOwn) {
   for (int i = 0; i < 300; ++i) {
     for (const DrawingFormat format : formats) {
       SCOPED_TRACE(name_of(format));
-      testing::Family family;
+      testing::DrawingFamily family;
       family.has_arcs = format == DrawingFormat::dxf;
       family.has_points = format != DrawingFormat::svg;
       family.has_circles = format == DrawingFormat::svg || format == DrawingFormat::dxf;

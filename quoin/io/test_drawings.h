@@ -48,7 +48,7 @@ inline bool shapes_equal(const Drawing& a, const Drawing& b) {
 }
 
 /// What a random drawing may hold.
-struct Family {
+struct DrawingFamily {
   bool has_arcs = true;
   bool has_points = true;
   bool has_circles = true;
@@ -76,7 +76,7 @@ inline double random_bulge(Random& random) {
   return random() % 3 == 0 ? with_exponent(random, -20, 20) : likely[random() % 8];
 }
 
-inline DrawingPath random_path(Random& random, const Family& family, bool is_closed) {
+inline DrawingPath random_path(Random& random, const DrawingFamily& family, bool is_closed) {
   DrawingPath path;
   path.is_closed = is_closed;
   const std::size_t size = (is_closed ? 3 : 2) + random() % 5;
@@ -98,7 +98,7 @@ inline DrawingPath random_path(Random& random, const Family& family, bool is_clo
   return path;
 }
 
-inline DrawingElement random_element(Random& random, const Family& family) {
+inline DrawingElement random_element(Random& random, const DrawingFamily& family) {
   for (;;) {
     switch (random() % 5) {
       case 0:
@@ -124,7 +124,7 @@ inline DrawingElement random_element(Random& random, const Family& family) {
   }
 }
 
-inline Drawing random_drawing(Random& random, const Family& family) {
+inline Drawing random_drawing(Random& random, const DrawingFamily& family) {
   static constexpr const char* layers[] = {"WALLS", "a \"b\" <c> & d", "\xC3\xA4"};
   Drawing drawing;
   const std::size_t size = 1 + random() % 4;

@@ -166,7 +166,7 @@ TEST(Wkt, OneGeometryIsReadBack) {
   testing::Random random(11);
   std::size_t compared = 0;
   for (int round = 0; round < 2000; ++round) {
-    testing::Family family;
+    testing::DrawingFamily family;
     family.has_arcs = round % 2 == 0;
     family.has_points = family.has_circles = family.has_closed_paths = round % 4 < 2;
     const Drawing drawing = testing::random_drawing(random, family);
