@@ -18,6 +18,12 @@ HalfedgeId backward(std::uint32_t edge) {
 
 }  // namespace
 
+void DcelBuilder::reserve(std::size_t events, std::size_t edges) {
+  dcel_.vertices.reserve(events);
+  dcel_.halfedges.reserve(2 * edges);
+  dcel_.edges.reserve(edges);
+}
+
 void DcelBuilder::add_event(const LinkEvent& event) {
   const std::uint32_t vertex = event_count_++;
   dcel_.vertices.emplace_back();

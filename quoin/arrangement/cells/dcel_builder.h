@@ -36,6 +36,7 @@ class DcelBuilder {
  public:
   static constexpr std::uint32_t none = 0xFFFFFFFFU;
 
+  void reserve(std::size_t events, std::size_t edges);
   /// Events come in lexicographic order and are numbered from 0; edges are numbered as they start.
   void add_event(const LinkEvent& event);
 

@@ -49,6 +49,7 @@ class CurveHistory {
   /// Edges of each curve, in the order of edges. O(size).
   std::vector<std::vector<dcel::EdgeId>> edges_by_curve(std::size_t curve_count) const;
 
+  void reserve(std::size_t edges) { uses_.reserve(edges); }
   /// The next edge has these curves. An edge without curves is allowed (fictitious ones).
   void append(std::span<const CurveUse> curves) { uses_.push_back(stored(curves)); }
   void append_single(CurveUse curve) { uses_.push_back(curve); }

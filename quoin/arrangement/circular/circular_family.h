@@ -10,6 +10,7 @@
 #include "quoin/arrangement/curve_family.h"
 #include "quoin/arrangement/pieces.h"
 #include "quoin/arrangement/surface.h"
+#include "quoin/arrangement/sweep/crossing_list.h"
 #include "quoin/base/sign.h"
 #include "quoin/kernel/point.h"
 
@@ -82,6 +83,8 @@ class CircularFamily {
                      Point& out) const;
   /// Where a branch ends, `crosses` tells only whether the curves that go on cross.
   void meetings(BranchId a, BranchId b, std::vector<Meeting<Point>>& out) const;
+  /// See PairwiseFamily.
+  bool find_crossings(const Pieces& list, const Context& context, CrossingList<Point>& out) const;
 
   Shift absorb(const CircularFamily& other);
   static Point shifted(const Point& p, const Shift& shift);
@@ -134,6 +137,7 @@ class CircularFamily {
   int crossings(CircularSupportId a, CircularSupportId b, Point out[2]) const;
 
  private:
+  friend class CircularPairs;
   /// Numbers of a crossing as doubles: at `middle` plus and minus `half`, which is lexicographically positive.
   struct RoundedCrossing {
     double middle_x = 0;

@@ -13,6 +13,7 @@
 #include "quoin/arrangement/geodesic/sphere_direction.h"
 #include "quoin/arrangement/pieces.h"
 #include "quoin/arrangement/surface.h"
+#include "quoin/arrangement/sweep/crossing_list.h"
 #include "quoin/base/sign.h"
 #include "quoin/kernel/point.h"
 #include "quoin/number/integer.h"
@@ -115,6 +116,8 @@ class GeodesicFamily {
                      Point& out) const;
   /// Two that are not vertical meet in two antipodal points; one on the identification is reported as both copies.
   void meetings(BranchId b, BranchId c, std::vector<Meeting<Point>>& out) const;
+  /// See PairwiseFamily.
+  bool find_crossings(const PieceList<GeodesicFamily>& list, const Context& context, CrossingList<Point>& out) const;
 
   Shift absorb(const GeodesicFamily& other);
   static Point shifted(const Point& p, const Shift& shift);
@@ -159,6 +162,7 @@ class GeodesicFamily {
   static Point right_copy(const Point& p) { return p.side == Side::left ? on_side(p, Side::right) : p; }
 
  private:
+  friend class GeodesicPairs;
   struct Support {
     Vector3 normal;  ///< times a power of two: the largest component in [1/2, 1], each within a relative error of 2^-53
     std::uint8_t tier = 0;

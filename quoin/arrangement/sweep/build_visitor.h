@@ -26,6 +26,14 @@ class BuildVisitor : public SweepVisitor<typename F::Point> {
     if constexpr (has_glued_sides) number_copies();
   }
 
+  /// For as many events and edges, if their numbers are known.
+  void reserve(std::size_t events, std::size_t edges) {
+    builder_.reserve(events, edges);
+    points_.reserve(events);
+    branches_.reserve(edges);
+    history_.reserve(edges);
+  }
+
   bool at_event(const SweepEvent<Point>& event) override {
     dcel::LinkEvent link{family_.side(event.point), event.left, event.right, event.below, dcel::DcelBuilder::none};
     if constexpr (has_glued_sides) follow_copies(event, link);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "quoin/arrangement/pieces.h"
+#include "quoin/arrangement/sweep/crossing_list.h"
 #include "quoin/arrangement/sweep/sweep_heap.h"
 #include "quoin/arrangement/sweep/sweep_points.h"
 #include "quoin/arrangement/sweep/sweep_status.h"
@@ -66,6 +67,9 @@ class Sweep {
   Sweep(const F& family, const PieceList<F>& list, std::span<const Point> queries, const SweepOptions& options,
         SweepVisitor<Point>& visitor, const Context& context);
 
+  /// Seeks no crossings: these are all. They outlive the sweep; no two pieces of the list overlap.
+  void take_crossings(const CrossingList<Point>& crossings);
+
   /// @throws Cancelled
   void run();
 
@@ -83,8 +87,16 @@ class Sweep {
   void order_points();
   void rank_points();
   bool take_next_event();
+  bool has_next_crossing() const {
+    return crossings_ == nullptr ? !heap_.is_empty() : next_crossing_ < crossing_order_.size();
+  }
+  const Point& next_crossing() const {
+    return crossings_ == nullptr ? heap_.point(heap_.top()) : crossings_->points[crossing_order_[next_crossing_]];
+  }
+  void take_crossing();
   void read_incidences();
   void find_run();
+  void take_crossing_pair();
   void extend_run_through_known_point();
   void extend_run_through_crossings();
   bool passes(std::uint32_t node) const {
@@ -121,12 +133,16 @@ class Sweep {
   std::vector<std::uint32_t> node_of_;  // by piece; right for first pieces of bundles
   BundleLinks next_in_bundle_;
   std::vector<std::uint8_t> is_ended_;
+  const CrossingList<Point>* crossings_ = nullptr;
+  std::vector<std::uint32_t> crossing_order_;
+  std::size_t next_crossing_ = 0;
 
   // The current event.
   Point event_point_{};
   std::span<const std::uint32_t> known_;
   bool only_queries_ = false;
-  std::uint32_t popped_ = none;
+  std::uint32_t popped_ = none;           // a node that crosses its upper neighbour here
+  const PiecePair* only_pair_ = nullptr;  // the two pieces of a crossing of two
   std::vector<std::uint32_t> starting_;
   bool has_ending_ = false;
   std::uint32_t hint_ = none;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <utility>
 
 #include "quoin/arrangement/sweep/sweep.h"
 
@@ -38,6 +39,12 @@ void Sweep<F>::order_points() {
   all.insert(all.end(), queries_.begin(), queries_.end());
   all.insert(all.end(), copies_.begin(), copies_.end());
   order_ = sorted_points(context_, family_, std::span<const Point>(all));
+}
+
+template <CurveFamily F>
+void Sweep<F>::take_crossings(const CrossingList<Point>& crossings) {
+  crossings_ = &crossings;
+  crossing_order_ = sorted_points(context_, family_, std::span<const Point>(crossings.points));
 }
 
 template <CurveFamily F>
@@ -83,23 +90,36 @@ void Sweep<F>::run() {
 template <CurveFamily F>
 bool Sweep<F>::take_next_event() {
   const bool has_known = next_known_ < order_.size();
-  if (!has_known && heap_.is_empty()) return false;
+  const bool has_crossing = has_next_crossing();
+  if (!has_known && !has_crossing) return false;
   Sign order = has_known ? Sign::negative : Sign::positive;
-  if (has_known && !heap_.is_empty()) {
-    order = family_.compare_xy(point_of(order_[next_known_]), heap_.point(heap_.top()));
-  }
-  popped_ = order == Sign::negative ? none : heap_.top();
+  if (has_known && has_crossing) order = family_.compare_xy(point_of(order_[next_known_]), next_crossing());
+  popped_ = none;
+  only_pair_ = nullptr;
+  if (order != Sign::negative) take_crossing();
   known_ = {};
-  if (order == Sign::positive) {
-    event_point_ = heap_.point(popped_);
-    return true;
-  }
+  if (order == Sign::positive) return true;
   event_point_ = point_of(order_[next_known_]);
   std::size_t end = next_known_ + 1;
   while (end < order_.size() && rank_[order_[end]] == rank_[order_[next_known_]]) ++end;
   known_ = {order_.data() + next_known_, end - next_known_};
   next_known_ = end;
   return true;
+}
+
+template <CurveFamily F>
+void Sweep<F>::take_crossing() {
+  event_point_ = next_crossing();
+  if (crossings_ == nullptr) {
+    popped_ = heap_.top();
+    return;
+  }
+  const PiecePair& pair = crossings_->pairs[crossing_order_[next_crossing_]];
+  popped_ = node_of_[pair.one];
+  only_pair_ = &pair;
+  while (++next_crossing_ < crossing_order_.size() && family_.compare_xy(next_crossing(), event_point_) == Sign::zero) {
+    only_pair_ = nullptr;
+  }
 }
 
 template <CurveFamily F>
@@ -140,12 +160,29 @@ void Sweep<F>::find_run() {
     }
     return;
   }
+  if (known_.empty() && only_pair_ != nullptr) {
+    take_crossing_pair();
+    return;
+  }
   run_.push_back(hint_);
-  if (known_.empty()) {
+  if (known_.empty() && crossings_ == nullptr) {
     extend_run_through_crossings();
   } else {
     extend_run_through_known_point();
   }
+}
+
+/// No other piece passes, or there would be more pairs.
+template <CurveFamily F>
+void Sweep<F>::take_crossing_pair() {
+  std::uint32_t lower = node_of_[only_pair_->one];
+  std::uint32_t upper = node_of_[only_pair_->two];
+  if (status_[upper].above == lower) std::swap(lower, upper);
+  if (status_[lower].above != upper) throw InternalError("sweep: two pieces cross that are not neighbours");
+  run_.push_back(lower);
+  run_.push_back(upper);
+  run_below_ = status_[lower].below;
+  run_above_ = status_[upper].above;
 }
 
 template <CurveFamily F>
@@ -229,6 +266,8 @@ template <CurveFamily F>
 void Sweep<F>::order_to_right() {
   if constexpr (F::meets_transversally) {
     std::reverse(heads_.begin(), heads_.end());
+  } else if (known_.empty() && only_pair_ != nullptr) {
+    if (only_pair_->crosses) std::swap(heads_[0], heads_[1]);
   } else if (heads_.size() > 1) {
     std::sort(heads_.begin(), heads_.end(), [&](std::uint32_t a, std::uint32_t b) {
       return family_.compare_right(branch_of(a), branch_of(b), event_point_) == Sign::negative;
@@ -286,6 +325,7 @@ void Sweep<F>::write_run() {
     node_of_[heads_[i]] = run_[i];
     right_.push_back(node.edge);
   }
+  if (crossings_ != nullptr) return;
   find_crossing(run_below_);
   if constexpr (F::meets_once) {
     if (!run_.empty()) find_crossing(run_.back());

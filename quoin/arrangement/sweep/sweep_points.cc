@@ -35,7 +35,7 @@ void sort_by_key(const Context& context, std::vector<KeyedPoint>& list) {
   if (std::is_sorted(list.begin(), list.end())) return;
   constexpr unsigned digit_bits = 11;
   constexpr std::size_t digits = std::size_t{1} << digit_bits;
-  if (list.size() < 4 * digits) {
+  if (list.size() < digits / 2) {
     std::sort(list.begin(), list.end());
     return;
   }

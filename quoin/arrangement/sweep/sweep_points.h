@@ -7,6 +7,7 @@
 #include <functional>
 #include <numeric>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "quoin/arrangement/pieces.h"
@@ -72,22 +73,40 @@ std::vector<std::uint32_t> sorted_points(const Context& context, const F& family
   return order;
 }
 
-/// The same list with points in lexicographic order and pieces by their left ends: the sweep then passes over memory in
-/// order.
+/// Different points in lexicographic order, and which of them each of a list has become.
+template <class Point>
+struct DistinctPoints {
+  std::vector<Point> points;
+  std::vector<std::uint32_t> place;
+};
+
+/// Of equal points the first one is kept.
 template <CurveFamily F>
-PieceList<F> sorted_list(const Context& context, const F& family, const PieceList<F>& list) {
-  const std::vector<std::uint32_t> order =
-      sorted_points(context, family, std::span<const typename F::Point>(list.points));
+DistinctPoints<typename F::Point> distinct_points(const Context& context, const F& family,
+                                                  std::span<const typename F::Point> points) {
+  const std::vector<std::uint32_t> order = sorted_points(context, family, points);
+  DistinctPoints<typename F::Point> result;
+  result.place.resize(order.size());
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    if (i == 0 || family.compare_xy(points[order[i - 1]], points[order[i]]) != Sign::zero) ++count;
+    result.place[order[i]] = static_cast<std::uint32_t>(count - 1);
+  }
+  result.points.reserve(count);
+  for (const std::uint32_t i : order) {
+    if (result.place[i] == result.points.size()) result.points.push_back(points[i]);
+  }
+  return result;
+}
+
+/// Pieces by their left ends, by counting: those of one end as they were.
+template <CurveFamily F>
+PieceList<F> renumbered(const PieceList<F>& list, DistinctPoints<typename F::Point> distinct) {
+  const std::vector<std::uint32_t>& place = distinct.place;
   PieceList<F> result;
   result.curve_count = list.curve_count;
-  std::vector<std::uint32_t> place(order.size());
-  result.points.resize(order.size());
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    place[order[i]] = static_cast<std::uint32_t>(i);
-    result.points[i] = list.points[order[i]];
-  }
-  // By counting, stable.
-  std::vector<std::uint32_t> begin(order.size() + 1, 0);
+  result.points = std::move(distinct.points);
+  std::vector<std::uint32_t> begin(result.points.size() + 1, 0);
   for (const Piece& piece : list.pieces) ++begin[place[piece.left] + 1];
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
   result.pieces.resize(list.pieces.size());
@@ -99,6 +118,22 @@ PieceList<F> sorted_list(const Context& context, const F& family, const PieceLis
   }
   result.lone_points.reserve(list.lone_points.size());
   for (const LonePoint& lone : list.lone_points) result.lone_points.push_back({place[lone.point], lone.curve});
+  return result;
+}
+
+/// The same list with equal points once, all in lexicographic order, and pieces by their left ends: the sweep then
+/// passes over memory in order.
+template <CurveFamily F>
+PieceList<F> sorted_list(const Context& context, const F& family, const PieceList<F>& list) {
+  return renumbered(list, distinct_points(context, family, std::span<const typename F::Point>(list.points)));
+}
+/// The list is empty afterwards, its points before pieces are moved.
+template <CurveFamily F>
+PieceList<F> sorted_list(const Context& context, const F& family, PieceList<F>&& list) {
+  auto distinct = distinct_points(context, family, std::span<const typename F::Point>(list.points));
+  list.points = std::vector<typename F::Point>();
+  PieceList<F> result = renumbered(list, std::move(distinct));
+  list = PieceList<F>();
   return result;
 }
 
