@@ -58,7 +58,7 @@ class CircularPairs {
   static constexpr std::uint32_t most_pieces = 8;
   /// Pairs may be tried in vain this many times for each piece and crossing: that costs a fraction of what the
   /// sweep would spend on it.
-  static constexpr std::size_t most_trials = 3;
+  static constexpr std::size_t most_trials = 2;
 
   static std::uint32_t support_of(const Piece& piece) {
     return static_cast<std::uint32_t>(CircularFamily::support(piece.branch).index());
@@ -126,7 +126,7 @@ class CircularPairs {
     trials_ += active_.size();
     active_.resize(kept);
     active_.push_back(static_cast<std::uint32_t>(added));
-    return trials_ <= most_trials * (list_.pieces.size() + out_.points.size()) + 1024;
+    return trials_ <= most_trials * (list_.pieces.size() + out_.points.size()) + 512;
   }
 
   bool meet(const Group& one, const Group& two) {

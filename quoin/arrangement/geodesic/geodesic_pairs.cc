@@ -37,7 +37,7 @@ class GeodesicPairs {
  private:
   /// Pairs may be tried in vain this many times for each piece and crossing: that costs a fraction of what the
   /// sweep would spend on it.
-  static constexpr std::size_t most_trials = 3;
+  static constexpr std::size_t most_trials = 2;
 
   const Point& left(std::uint32_t piece) const { return list_.points[list_.pieces[piece].left]; }
   const Point& right(std::uint32_t piece) const { return list_.points[list_.pieces[piece].right]; }
@@ -56,7 +56,7 @@ class GeodesicPairs {
     trials_ += active_.size();
     active_.resize(kept);
     active_.push_back(added);
-    return trials_ <= most_trials * (list_.pieces.size() + out_.points.size()) + 1024;
+    return trials_ <= most_trials * (list_.pieces.size() + out_.points.size()) + 512;
   }
 
   bool meet(std::uint32_t a, std::uint32_t b) {

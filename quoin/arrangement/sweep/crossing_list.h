@@ -33,8 +33,8 @@ struct CrossingList {
 /// many pairs meet: no crossing is sought twice, and no queue of them is kept.
 ///
 /// find_crossings appends every point that lies inside two pieces, strictly between the ends of both. It returns false,
-/// with the list in any state, where pieces overlap or where so few pairs meet that the sweep finds them faster; which
-/// depends on the input alone.
+/// with the list in any state, where pieces overlap, where it cannot quickly exclude that (one curve was given twice),
+/// or where so few pairs meet that the sweep finds them faster; which depends on the input alone.
 template <class F>
 concept PairwiseFamily = CurveFamily<F> &&
     requires(const F& f, const PieceList<F>& list, const Context& context, CrossingList<typename F::Point>& out) {
