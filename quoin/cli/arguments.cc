@@ -185,6 +185,7 @@ void add_commands(CLI::App& app, Options& options) {
                options);
   add_one_file(*add_maker(app, options, "convert", "one format to another, faces merged where coplanar"), options);
   add_one_file(*add_maker(app, options, "view", "a page to look at a solid in the browser"), options);
+  add_files(*add_maker(app, options, "hull", "the convex hull of the vertices of all files, exactly"), options);
   add_queries(app, options);
   add_planar(app, options);
 }

@@ -46,7 +46,8 @@ int run(const Options& options) {
                                                {"envelope", run_envelope},
                                                {"classify", run_classify},
                                                {"section", run_section},
-                                               {"interfere", run_interfere}};
+                                               {"interfere", run_interfere},
+                                               {"hull", run_hull}};
   return runs.at(options.command)(options, context);
 }
 

@@ -69,6 +69,35 @@ class Check(CommandTest):
         self.assertEqual(self.json_of("check", "broken.qsolid", code=REFUSED)["valid"], False)
 
 
+class Hull(CommandTest):
+    def test_counts_and_files(self):
+        report = self.json_of("hull", "a.off", "far.off", "-o", "h.off")
+        self.assertEqual((report["dimension"], report["points"]), (3, 16))
+        self.assertEqual(report["vertices"] - report["edges"] + report["facets"], 2)
+        self.assertEqual(self.json_of("check", "h.off")["valid"], True)
+        again = self.json_of("hull", "h.off")
+        for key in ("vertices", "edges", "facets"):
+            self.assertEqual(again[key], report[key])
+        self.assertEqual(again["result"]["volume"], report["result"]["volume"])
+
+    def test_points_without_faces(self):
+        self.write("points.off", "OFF\n6 0 0\n1 0 0\n-1 0 0\n0 1 0\n0 -1 0\n0 0 1\n0 0 -1\n")
+        report = self.json_of("hull", "points.off", "-o", "o.off")
+        self.assertEqual((report["vertices"], report["edges"], report["facets"]), (6, 12, 8))
+        self.assertEqual(report["result"]["volume"], 4 / 3)
+
+    def test_flat_points(self):
+        for points, dimension, word in (("0 0 0\n1 0 0\n0 1 0\n1 1 0\n", 2, "plane"), ("0 0 0\n1 1 1\n3 3 3\n", 1, "line"),
+                                        ("2 2 2\n2 2 2\n", 0, "place")):
+            self.write("flat.off", f"OFF\n{points.count(chr(10))} 0 0\n{points}")
+            report = self.json_of("hull", "flat.off")
+            self.assertEqual(report["dimension"], dimension)
+            self.assertIn(word, report["warnings"][-1])
+            self.assertIn(word, self.run_quoin("hull", "flat.off", "-o", "x.off", code=REFUSED).stderr)
+            with self.assertRaises(FileNotFoundError):
+                self.read("x.off")
+
+
 class Classify(CommandTest):
     def test_points(self):
         report = self.json_of("classify", "--point", "1,1,1", "a.off", "--point", "0,1,1", "--point", "0,0,1", "--point",

@@ -15,8 +15,8 @@ COMMANDS = {"union": ["a.off", "b.off"], "intersection": ["a.off", "b.off"], "di
             "xor": ["a.off", "b.off"], "csg": ["x|y", "x=a.off", "y=b.off"], "info": ["a.off"], "check": ["a.off"],
             "repair": ["a.off"], "convert": ["a.off"], "view": ["a.off", "-o", "v.off"],
             "classify": ["a.off", "--point", "1,1,1"], "section": ["a.off", "--plane", "0,0,1,1"],
-            "interfere": ["a.off", "b.off"]}
-MAKERS = ("union", "intersection", "difference", "xor", "csg", "repair", "convert", "view")
+            "interfere": ["a.off", "b.off"], "hull": ["a.off", "b.off"]}
+MAKERS = ("union", "intersection", "difference", "xor", "csg", "repair", "convert", "view", "hull")
 
 
 class Usage(CommandTest):
@@ -74,7 +74,8 @@ class Usage(CommandTest):
 class Codes(CommandTest):
     def test_bad_geometry(self):
         for command, words in COMMANDS.items():
-            self.run_quoin(command, *[w.replace("a.off", "open.off") for w in words], code=REFUSED)
+            if command != "hull":  # which takes the vertices
+                self.run_quoin(command, *[w.replace("a.off", "open.off") for w in words], code=REFUSED)
             self.run_quoin(command, *[w.replace("a.off", "rubbish.off") for w in words], code=REFUSED)
 
     def test_missing_files_and_folders(self):

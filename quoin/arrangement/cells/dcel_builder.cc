@@ -176,6 +176,12 @@ void DcelBuilder::join_identified_sides() {
 }
 
 void DcelBuilder::trace_boundaries() {
+  // What Euler's formula gives for one component.
+  if (dcel_.edges.size() > dcel_.vertices.size()) {
+    const std::size_t likely = dcel_.edges.size() - dcel_.vertices.size() + 2;
+    dcel_.boundaries.reserve(likely);
+    dcel_.faces.reserve(likely);
+  }
   for (std::size_t i = 0; i < dcel_.halfedges.size(); ++i) {
     if (!dcel_.halfedges[i].boundary.is_none()) continue;
     const BoundaryId boundary(dcel_.boundaries.size());

@@ -114,6 +114,12 @@ void Sweep<F>::take_crossing() {
     popped_ = heap_.top();
     return;
   }
+  // They come in the order of pairs, so that those soon needed are far apart in memory.
+  if (next_crossing_ + 8 < crossing_order_.size()) {
+    const std::uint32_t soon = crossing_order_[next_crossing_ + 8];
+    __builtin_prefetch(&crossings_->points[soon]);
+    __builtin_prefetch(&crossings_->pairs[soon]);
+  }
   const PiecePair& pair = crossings_->pairs[crossing_order_[next_crossing_]];
   popped_ = node_of_[pair.one];
   only_pair_ = &pair;

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quoin/polytope/hull.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "quoin/base/error.h"
+#include "quoin/polytope/hull_builder.h"
+#include "quoin/polytope/hull_facets.h"
+#include "quoin/polytope/hull_filter.h"
+#include "quoin/polytope/hull_order.h"
+#include "quoin/polytope/hull_simplex.h"
+#include "quoin/polytope/planar_hull.h"
+
+namespace quoin {
+
+namespace {
+
+/// Below this many points, leaving out those inside costs more than it saves.
+constexpr std::size_t many_points = 1000;
+constexpr double half_range = std::numeric_limits<double>::max() / 2;
+
+void require_finite(std::size_t i, double x, double y, double z) {
+  if (std::isfinite(x) && std::isfinite(y) && std::isfinite(z)) return;
+  throw InputError("point " + std::to_string(i) + " has a coordinate that is not finite");
+}
+
+void add_facet(ConvexHull& hull, std::span<const std::uint32_t> corners) {
+  hull.corners.insert(hull.corners.end(), corners.begin(), corners.end());
+  hull.facet_begin.push_back(hull.corners.size());
+}
+
+ConvexHull hull_of_flat(std::span<const Point3> points, const Simplex& simplex, const Context& context) {
+  const unsigned axis = axis_to_drop(points[simplex.points[0]], points[simplex.points[1]], points[simplex.points[2]]);
+  std::vector<Point2> flat;
+  flat.reserve(points.size());
+  for (const Point3& p : points) flat.push_back({p[(axis + 1) % 3], p[(axis + 2) % 3]});
+  ConvexHull hull;
+  hull.dimension = 2;
+  add_facet(hull, planar_hull(flat, context));
+  put_in_order(hull, points.size());
+  return hull;
+}
+
+/// Four of the simplex first, then the others.
+std::vector<std::uint32_t> after_simplex(const Simplex& simplex, std::span<const std::uint32_t> others) {
+  std::vector<std::uint32_t> order(simplex.points.begin(), simplex.points.end());
+  for (const std::uint32_t i : others) {
+    if (std::find(simplex.points.begin(), simplex.points.end(), i) == simplex.points.end()) order.push_back(i);
+  }
+  return order;
+}
+
+std::vector<Point3> gather(std::span<const Point3> points, std::span<const std::uint32_t> order) {
+  std::vector<Point3> result;
+  result.reserve(order.size());
+  for (const std::uint32_t i : order) result.push_back(points[i]);
+  return result;
+}
+
+/// All points but those that are surely inside the hull of a few, if these are many.
+std::vector<std::uint32_t> candidates(std::span<const Point3> points, double largest, const Simplex& simplex,
+                                      const Context& context) {
+  const std::vector<Point3> few = gather(points, after_simplex(simplex, extremes(points, context)));
+  HullBuilder small(few);
+  for (std::uint32_t i = 4; i < few.size(); ++i) small.insert(i);
+  const HullFilter filter(small, largest);
+  std::vector<std::uint32_t> result;
+  const auto step = static_cast<std::uint32_t>(points.size() / many_points + 1);
+  filter.append_others(points, step, result, context);
+  const bool drops_many = 8 * result.size() < 7 * (points.size() / step);
+  if (drops_many) {
+    result.clear();
+    filter.append_others(points, 1, result, context);
+  } else {
+    result.resize(points.size());
+    std::iota(result.begin(), result.end(), 0U);
+  }
+  return result;
+}
+
+/// Facets are not in order yet.
+ConvexHull hull_of_solid(std::span<const Point3> points, double largest, const Simplex& simplex,
+                         const Context& context) {
+  std::vector<std::uint32_t> chosen(points.size());
+  std::iota(chosen.begin(), chosen.end(), 0U);
+  if (points.size() >= many_points) chosen = candidates(points, largest, simplex, context);
+  const std::vector<std::uint32_t> order = after_simplex(simplex, biased_random_order(points, chosen, context));
+  const std::vector<Point3> ordered = gather(points, order);
+  HullBuilder builder(ordered);
+  builder.reserve(ordered.size());
+  for (std::uint32_t i = 4; i < ordered.size(); ++i) {
+    if (i % 256 == 0) context.poll();
+    builder.insert(i);
+  }
+  return join_facets(builder, ordered, order, context);
+}
+
+}  // namespace
+
+ConvexHull convex_hull(std::span<const Point3> points, const Context& context) {
+  double largest = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Point3& p = points[i];
+    const double size = std::fabs(p.x) + std::fabs(p.y) + std::fabs(p.z);
+    if (!(size < half_range)) require_finite(i, p.x, p.y, p.z);
+    largest = std::max(largest, size);
+  }
+  // Mostly the first few tell; being first, they are the first of points that equal them.
+  Simplex simplex = find_simplex(points.first(std::min(points.size(), many_points)), context);
+  if (simplex.count < 4 && points.size() > many_points) simplex = find_simplex(points, context);
+  if (simplex.count == 4) {
+    ConvexHull hull = hull_of_solid(points, largest, simplex, context);
+    put_in_order(hull, points.size());
+    return hull;
+  }
+  if (simplex.count == 3) return hull_of_flat(points, simplex, context);
+  ConvexHull hull;
+  hull.dimension = static_cast<int>(simplex.count) - 1;
+  hull.vertices.assign(simplex.points.begin(), simplex.points.begin() + simplex.count);
+  std::sort(hull.vertices.begin(), hull.vertices.end());
+  return hull;
+}
+
+ConvexHull convex_hull(std::span<const Point2> points, const Context& context) {
+  for (std::size_t i = 0; i < points.size(); ++i) require_finite(i, points[i].x, points[i].y, 0);
+  const std::vector<std::uint32_t> around = planar_hull(points, context);
+  ConvexHull hull;
+  hull.dimension = around.size() > 2 ? 2 : static_cast<int>(around.size()) - 1;
+  hull.vertices = around;
+  std::sort(hull.vertices.begin(), hull.vertices.end());
+  if (hull.dimension < 2) return hull;
+  for (std::size_t i = 0; i < around.size(); ++i) {
+    add_facet(hull, std::array{around[i], around[(i + 1) % around.size()]});
+  }
+  return hull;
+}
+
+}  // namespace quoin

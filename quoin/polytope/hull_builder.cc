@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quoin/polytope/hull_builder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "quoin/kernel/predicates3.h"
+#include "quoin/kernel/rational_point.h"
+
+namespace quoin {
+
+namespace {
+
+constexpr double u = 0x1p-53;
+
+RationalPoint3 exact_point(const Point3& p) {
+  return {Rational(p.x), Rational(p.y), Rational(p.z)};
+}
+
+Sign orientation_of(const RationalPoint3& a, const RationalPoint3& b, const RationalPoint3& c,
+                    const RationalPoint3& d) {
+  return dot(cross(b - a, c - a), d - a).sign();
+}
+
+}  // namespace
+
+HullBuilder::HullBuilder(std::span<const Point3> points) : points_(points) {
+  for (const Point3& p : points) {
+    largest_ = std::max({largest_, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+  }
+  std::array<std::uint32_t, 4> p{0, 1, 2, 3};
+  if (orientation(points[0], points[1], points[2], points[3]) == Sign::positive) std::swap(p[1], p[2]);
+  // From outside, the triangle opposite to corner 3 turns left.
+  const std::array<std::array<std::uint32_t, 3>, 4> faces{
+      {{p[0], p[1], p[2]}, {p[0], p[3], p[1]}, {p[1], p[3], p[2]}, {p[2], p[3], p[0]}}};
+  for (const auto& [a, b, c] : faces) new_triangle(a, b, c);
+  triangles_[0].across = {1, 2, 3};
+  triangles_[1].across = {3, 2, 0};
+  triangles_[2].across = {1, 3, 0};
+  triangles_[3].across = {2, 1, 0};
+  find_centre();
+}
+
+void HullBuilder::reserve(std::size_t vertices) {
+  triangles_.reserve(2 * vertices);
+  planes_.reserve(2 * vertices);
+}
+
+/// Strictly inside the first four.
+void HullBuilder::find_centre() {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    centre_[axis] = (points_[0][axis] / 4 + points_[1][axis] / 4) + (points_[2][axis] / 4 + points_[3][axis] / 4);
+  }
+  has_centre_ = true;
+  for (std::uint32_t t = 0; t < 4; ++t) has_centre_ = has_centre_ && exact_side(t, centre_) == Sign::negative;
+}
+
+/// With M the largest coordinate, n = (b - a) x (c - a) and P the sum of the magnitudes of its products: n errs by
+/// 4 u P, which tells by 8 u M P over a distance of 2 M; the offset n.a by 3 u M P, the evaluation by 8 u M P.
+/// Twenty-four pay for the rest, and 2^-120 for what may fall below the range of doubles. Infinite or no number:
+/// decides nothing.
+std::uint32_t HullBuilder::new_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+  std::uint32_t triangle;
+  if (free_.empty()) {
+    triangle = static_cast<std::uint32_t>(triangles_.size());
+    triangles_.emplace_back();
+    planes_.emplace_back();
+  } else {
+    triangle = free_.back();
+    free_.pop_back();
+  }
+  const Point3& p = points_[a];
+  const Point3& q = points_[b];
+  const Point3& r = points_[c];
+  const Vector3 v{q.x - p.x, q.y - p.y, q.z - p.z};
+  const Vector3 w{r.x - p.x, r.y - p.y, r.z - p.z};
+  const double yz = v.y * w.z;
+  const double zy = v.z * w.y;
+  const double zx = v.z * w.x;
+  const double xz = v.x * w.z;
+  const double xy = v.x * w.y;
+  const double yx = v.y * w.x;
+  Plane& plane = planes_[triangle];
+  plane.x = yz - zy;
+  plane.y = zx - xz;
+  plane.z = xy - yx;
+  plane.offset = plane.x * p.x + plane.y * p.y + plane.z * p.z;
+  const double products = std::fabs(yz) + std::fabs(zy) + std::fabs(zx) + std::fabs(xz) + std::fabs(xy) + std::fabs(yx);
+  Triangle& t = triangles_[triangle];
+  t.corners = {a, b, c};
+  const double slack = (24 * u * (1 + 0x1p-20)) * largest_ * products + 0x1p-120;
+  constexpr double most = std::numeric_limits<float>::max();
+  t.slack = slack < most ? static_cast<float>(slack) : std::numeric_limits<float>::infinity();
+  return triangle;
+}
+
+Sign HullBuilder::exact_side(std::uint32_t triangle, const Point3& p) const {
+  const std::array<std::uint32_t, 3>& corners = triangles_[triangle].corners;
+  return orientation(points_[corners[0]], points_[corners[1]], points_[corners[2]], p);
+}
+
+/// Negative where the plane through the centre and the edge separates p from the triangle.
+Sign HullBuilder::side_from_centre(const Triangle& triangle, unsigned edge, const Point3& p) const {
+  if (!has_centre_) return side_from_mean(triangle, edge, p);
+  return orientation(centre_, points_[triangle.corners[edge]], points_[triangle.corners[next(edge)]], p);
+}
+
+/// The determinant is affine in each point: where its signs for the four points agree, their mean has that sign.
+Sign HullBuilder::side_from_mean(const Triangle& triangle, unsigned edge, const Point3& p) const {
+  const Point3& a = points_[triangle.corners[edge]];
+  const Point3& b = points_[triangle.corners[next(edge)]];
+  bool has_positive = false;
+  bool has_negative = false;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Sign sign = orientation(points_[i], a, b, p);
+    has_positive = has_positive || sign == Sign::positive;
+    has_negative = has_negative || sign == Sign::negative;
+  }
+  if (!has_negative) return has_positive ? Sign::positive : Sign::zero;
+  if (!has_positive) return Sign::negative;
+  RationalPoint3 mean{0, 0, 0};
+  for (std::size_t i = 0; i < 4; ++i) mean = mean + exact_point(points_[i]);
+  mean = mean * Rational(0.25);
+  return orientation_of(mean, exact_point(a), exact_point(b), exact_point(p));
+}
+
+/// A triangle that sees p, or none.
+std::uint32_t HullBuilder::locate(const Point3& p) const {
+  std::uint32_t triangle = hint_;
+  std::uint32_t from = none;
+  for (;;) {
+    if (side(triangle, p) == Sign::positive) return triangle;
+    const Triangle& t = triangles_[triangle];
+    unsigned k = 0;
+    while (k < 3 && (t.across[k] == from || side_from_centre(t, k, p) != Sign::negative)) ++k;
+    if (k == 3) return none;
+    from = triangle;
+    triangle = t.across[k];
+  }
+}
+
+/// Marks all that see p; an edge between these and the others, of one that sees it.
+HullBuilder::Edge HullBuilder::mark_visible(std::uint32_t first, const Point3& p) {
+  if (epoch_ > none - 4) {
+    epoch_ = 0;
+    for (Triangle& t : triangles_) t.mark = 0;
+  }
+  epoch_ += 2;
+  Edge rim{none, 0};
+  visible_.assign(1, first);
+  triangles_[first].mark = epoch_;
+  for (std::size_t i = 0; i < visible_.size(); ++i) {
+    const std::uint32_t triangle = visible_[i];
+    for (unsigned k = 0; k < 3; ++k) {
+      const std::uint32_t across = triangles_[triangle].across[k];
+      std::uint32_t& mark = triangles_[across].mark;
+      if (mark == epoch_) continue;
+      if (mark != epoch_ + 1) {
+        if (side(across, p) == Sign::positive) {
+          mark = epoch_;
+          visible_.push_back(across);
+          continue;
+        }
+        mark = epoch_ + 1;
+      }
+      rim = {triangle, k};
+    }
+  }
+  return rim;
+}
+
+/// Goes once around what is visible, with it on the left.
+void HullBuilder::replace_visible(const Edge& rim, std::uint32_t point) {
+  std::uint32_t first = none;
+  std::uint32_t before = none;
+  std::uint32_t triangle = rim.triangle;
+  unsigned k = rim.index;
+  do {
+    const std::uint32_t outer = triangles_[triangle].across[k];
+    const std::uint32_t a = triangles_[triangle].corners[k];
+    const std::uint32_t b = triangles_[triangle].corners[next(k)];
+    const std::uint32_t added = new_triangle(a, b, point);
+    triangles_[added].across[0] = outer;
+    triangles_[added].mark = 0;
+    triangles_[outer].across[index_of(triangles_[outer], triangle)] = added;
+    if (before == none) {
+      first = added;
+    } else {
+      triangles_[before].across[1] = added;
+      triangles_[added].across[2] = before;
+    }
+    before = added;
+    k = next(k);
+    while (triangles_[triangles_[triangle].across[k]].mark == epoch_) {
+      const std::uint32_t across = triangles_[triangle].across[k];
+      k = next(index_of(triangles_[across], triangle));
+      triangle = across;
+    }
+  } while (triangle != rim.triangle || k != rim.index);
+  triangles_[before].across[1] = first;
+  triangles_[first].across[2] = before;
+  for (const std::uint32_t seen : visible_) {
+    triangles_[seen].corners = {none, none, none};
+    free_.push_back(seen);
+  }
+  hint_ = before;
+}
+
+bool HullBuilder::insert(std::uint32_t point) {
+  const Point3& p = points_[point];
+  const std::uint32_t first = locate(p);
+  if (first == none) return false;
+  replace_visible(mark_visible(first, p), point);
+  return true;
+}
+
+}  // namespace quoin

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "quoin/base/large_vector.h"
+#include "quoin/base/sign.h"
+#include "quoin/kernel/point.h"
+
+namespace quoin {
+
+/// A convex hull of dimension 3 that grows point by point, as triangles; coplanar ones stay apart.
+///
+/// A point that no triangle sees (strictly, from outside) changes nothing, so points on the hull are no corners of it
+/// unless they came before what covers them. A point outside is located by a walk: from a triangle, through the edge
+/// that separates the point from it as seen from a point inside the hull, and so on. The walk ends, because triangles
+/// seen from inside are a projected convex surface. What the point sees is a disc; new triangles join its rim to it.
+class HullBuilder {
+ public:
+  static constexpr std::uint32_t none = 0xFFFFFFFFU;
+
+  /// Triangle {corners, across}: across[k] is its neighbour at the edge from corner k to the next. A free place has no
+  /// corners.
+  struct Triangle {
+    std::array<std::uint32_t, 3> corners{none, none, none};
+    std::array<std::uint32_t, 3> across{none, none, none};
+    std::uint32_t mark = 0;
+    float slack = 0;  ///< error of `plane` at any of the points
+    bool is_free() const { return corners[0] == none; }
+  };
+
+  /// The points stay where they are while the builder lives. The first four are affinely independent.
+  explicit HullBuilder(std::span<const Point3> points);
+
+  /// For as many points on the hull.
+  void reserve(std::size_t vertices);
+  /// Adds a point; false if it is in the hull already.
+  bool insert(std::uint32_t point);
+
+  const LargeVector<Triangle>& triangles() const { return triangles_; }
+  /// Where a point lies to the plane of a triangle: positive outside.
+  Sign side(std::uint32_t triangle, const Point3& p) const {
+    const double value = distance(triangle, p);
+    const double slack = triangles_[triangle].slack;
+    if (value > slack) return Sign::positive;
+    if (value < -slack) return Sign::negative;
+    return exact_side(triangle, p);
+  }
+  /// In doubles; off by the triangle's `slack` at most for every point of the list.
+  struct Plane {
+    double x;
+    double y;
+    double z;
+    double offset;
+  };
+  const Plane& plane(std::uint32_t triangle) const { return planes_[triangle]; }
+  /// In magnitude, of all points.
+  double largest_coordinate() const { return largest_; }
+  /// A point inside, if some double is.
+  const Point3* centre() const { return has_centre_ ? &centre_ : nullptr; }
+
+ private:
+  struct Edge {
+    std::uint32_t triangle;
+    unsigned index;
+  };
+
+  static unsigned next(unsigned k) { return k == 2 ? 0 : k + 1; }
+  static unsigned index_of(const Triangle& triangle, std::uint32_t neighbour) {
+    return triangle.across[0] == neighbour ? 0 : triangle.across[1] == neighbour ? 1 : 2;
+  }
+  double distance(std::uint32_t triangle, const Point3& p) const {
+    const Plane& plane = planes_[triangle];
+    return plane.x * p.x + plane.y * p.y + plane.z * p.z - plane.offset;
+  }
+  Sign exact_side(std::uint32_t triangle, const Point3& p) const;
+  void find_centre();
+  Sign side_from_centre(const Triangle& triangle, unsigned edge, const Point3& p) const;
+  Sign side_from_mean(const Triangle& triangle, unsigned edge, const Point3& p) const;
+  std::uint32_t locate(const Point3& p) const;
+  Edge mark_visible(std::uint32_t first, const Point3& p);
+  void replace_visible(const Edge& rim, std::uint32_t point);
+  std::uint32_t new_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
+
+  std::span<const Point3> points_;
+  double largest_ = 0;  // coordinate
+  LargeVector<Triangle> triangles_;
+  LargeVector<Plane> planes_;
+  std::vector<std::uint32_t> free_;
+  std::vector<std::uint32_t> visible_;
+  std::uint32_t epoch_ = 0;  // marks: what the last point sees, and one more: what was asked and does not
+  std::uint32_t hint_ = 0;
+  Point3 centre_{};
+  bool has_centre_ = false;  // else it is the mean of the first four points, which no double is near enough to
+};
+
+}  // namespace quoin

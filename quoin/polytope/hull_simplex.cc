@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quoin/polytope/hull_simplex.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "quoin/base/sign.h"
+#include "quoin/kernel/predicates2.h"
+#include "quoin/kernel/predicates3.h"
+
+namespace quoin {
+
+namespace {
+
+constexpr std::uint32_t none = 0xFFFFFFFFU;
+
+Point2 project(const Point3& p, unsigned axis) {
+  return axis == 0 ? Point2{p.y, p.z} : axis == 1 ? Point2{p.z, p.x} : Point2{p.x, p.y};
+}
+
+bool are_collinear(const Point3& a, const Point3& b, const Point3& c) {
+  for (unsigned axis = 0; axis < 3; ++axis) {
+    if (orientation(project(a, axis), project(b, axis), project(c, axis)) != Sign::zero) return false;
+  }
+  return true;
+}
+
+/// Differences of halves, over the largest of them, so that nothing overflows where it is used.
+Vector3 direction(const Point3& a, const Point3& b) {
+  Vector3 d{b.x / 2 - a.x / 2, b.y / 2 - a.y / 2, b.z / 2 - a.z / 2};
+  const double size = std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
+  if (size > 0) d = {d.x / size, d.y / size, d.z / size};
+  return d;
+}
+Vector3 cross(const Vector3& a, const Vector3& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/// The point of the largest measure, if it fits; else the first that does.
+template <class Measure, class Fits>
+std::uint32_t best_point(std::size_t count, const Context& context, const Measure& measure, const Fits& fits) {
+  std::uint32_t best = 0;
+  double most = -1;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (i % 16384 == 0) context.poll();
+    const double value = measure(i);
+    if (value > most) {
+      most = value;
+      best = i;
+    }
+  }
+  if (fits(best)) return best;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (i % 1024 == 0) context.poll();
+    if (fits(i)) return i;
+  }
+  return none;
+}
+
+}  // namespace
+
+unsigned axis_to_drop(const Point3& a, const Point3& b, const Point3& c) {
+  for (unsigned axis = 0; axis < 2; ++axis) {
+    if (orientation(project(a, axis), project(b, axis), project(c, axis)) != Sign::zero) return axis;
+  }
+  return 2;
+}
+
+Simplex find_simplex(std::span<const Point3> points, const Context& context) {
+  Simplex result;
+  if (points.empty()) return result;
+  std::uint32_t least = 0;
+  std::uint32_t largest = 0;
+  for (std::uint32_t i = 1; i < points.size(); ++i) {
+    if (lexicographically_less(points[i], points[least])) least = i;
+    if (lexicographically_less(points[largest], points[i])) largest = i;
+  }
+  result.points[result.count++] = least;
+  const Point3& a = points[least];
+  const Point3& b = points[largest];
+  if (a == b) return result;
+  result.points[result.count++] = largest;
+  const Vector3 along = direction(a, b);
+  const std::uint32_t third = best_point(
+      points.size(), context,
+      [&](std::uint32_t i) {
+        const Point3& p = points[i];
+        const Vector3 n = cross(along, {p.x / 2 - a.x / 2, p.y / 2 - a.y / 2, p.z / 2 - a.z / 2});
+        return std::fabs(n.x) + std::fabs(n.y) + std::fabs(n.z);
+      },
+      [&](std::uint32_t i) { return !are_collinear(a, b, points[i]); });
+  if (third == none) return result;
+  result.points[result.count++] = third;
+  const Point3& c = points[third];
+  const Vector3 normal = cross(along, direction(a, c));
+  const std::uint32_t fourth = best_point(
+      points.size(), context,
+      [&](std::uint32_t i) {
+        const Point3& p = points[i];
+        return std::fabs(normal.x * (p.x / 2 - a.x / 2) + normal.y * (p.y / 2 - a.y / 2) +
+                         normal.z * (p.z / 2 - a.z / 2));
+      },
+      [&](std::uint32_t i) { return orientation(a, b, c, points[i]) != Sign::zero; });
+  if (fourth == none) return result;
+  result.points[result.count++] = fourth;
+  return result;
+}
+
+std::vector<std::uint32_t> extremes(std::span<const Point3> points, const Context& context) {
+  // Half of the directions with components -1, 0 and 1.
+  constexpr std::array<std::array<int, 3>, 13> directions{{{1, 0, 0},
+                                                           {0, 1, 0},
+                                                           {0, 0, 1},
+                                                           {1, 1, 0},
+                                                           {1, -1, 0},
+                                                           {1, 0, 1},
+                                                           {1, 0, -1},
+                                                           {0, 1, 1},
+                                                           {0, 1, -1},
+                                                           {1, 1, 1},
+                                                           {1, 1, -1},
+                                                           {1, -1, 1},
+                                                           {1, -1, -1}}};
+  std::array<double, 13> low;
+  std::array<double, 13> high;
+  std::array<std::uint32_t, 13> lowest{};
+  std::array<std::uint32_t, 13> highest{};
+  const std::size_t step = points.size() / 65536 + 1;
+  context.poll();
+  for (std::uint32_t i = 0; i < points.size(); i += static_cast<std::uint32_t>(step)) {
+    const Point3& p = points[i];
+    for (std::size_t d = 0; d < directions.size(); ++d) {
+      const double height = directions[d][0] * (p.x / 4) + directions[d][1] * (p.y / 4) + directions[d][2] * (p.z / 4);
+      if (i == 0 || height < low[d]) {
+        low[d] = height;
+        lowest[d] = i;
+      }
+      if (i == 0 || height > high[d]) {
+        high[d] = height;
+        highest[d] = i;
+      }
+    }
+  }
+  std::vector<std::uint32_t> result(lowest.begin(), lowest.end());
+  result.insert(result.end(), highest.begin(), highest.end());
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
+}  // namespace quoin
