@@ -22,8 +22,8 @@ inline std::vector<Point> make(const std::string& kind, std::size_t count) {
   if (kind == "lattice") {
     const auto side = static_cast<std::size_t>(std::cbrt(static_cast<double>(count)) + 0.5);
     for (std::size_t i = 0; i < side * side * side; ++i) {
-      points.push_back({static_cast<double>(i % side), static_cast<double>(i / side % side),
-                        static_cast<double>(i / side / side)});
+      points.push_back(
+          {static_cast<double>(i % side), static_cast<double>(i / side % side), static_cast<double>(i / side / side)});
     }
     return points;
   }

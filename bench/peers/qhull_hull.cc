@@ -40,8 +40,8 @@ int main(int argc, char** argv) {
     QHULL_LIB_CHECK
     qh_zero(qh, stderr);
     char options[] = "qhull";
-    const int failed = qh_new_qhull(qh, 3, static_cast<int>(points.size()), points[0].data(), False, options, nullptr,
-                                    stderr);
+    const int failed =
+        qh_new_qhull(qh, 3, static_cast<int>(points.size()), points[0].data(), False, options, nullptr, stderr);
     best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     if (failed != 0) return 1;
     vertices = qh->num_vertices;

@@ -38,8 +38,10 @@ std::vector<Point3> read_points(const Options& options, std::vector<std::string>
       continue;
     }
     const Brep& boundary = std::get<Brep>(input);
-    if (boundary.is_unbounded) throw InputError(shown(name) + ": an unbounded solid has no convex hull but all of space");
-    for (const PointId corner : boundary.loop_vertices) points.push_back(doubles_of(boundary.points.exact(corner), name));
+    if (boundary.is_unbounded)
+      throw InputError(shown(name) + ": an unbounded solid has no convex hull but all of space");
+    for (const PointId corner : boundary.loop_vertices)
+      points.push_back(doubles_of(boundary.points.exact(corner), name));
   }
   return points;
 }

@@ -116,10 +116,10 @@ class CircularPairs {
   bool meet_active(std::size_t added) {
     const Group& group = groups_[added];
     std::size_t kept = 0;
-    for (std::size_t k = 0; k < active_.size(); ++k) {
-      const Group& other = groups_[active_[k]];
+    for (const std::uint32_t index : active_) {
+      const Group& other = groups_[index];
       if (other.box.max_x < group.box.min_x) continue;
-      active_[kept++] = active_[k];
+      active_[kept++] = index;
       if (other.box.max_y < group.box.min_y || group.box.max_y < other.box.min_y) continue;
       if (!meet(other, group)) return false;
     }

@@ -47,8 +47,7 @@ class GeodesicPairs {
   bool meet_active(std::uint32_t added) {
     const double start = left(added).longitude_key - 2 * family_.key_error();
     std::size_t kept = 0;
-    for (std::size_t k = 0; k < active_.size(); ++k) {
-      const std::uint32_t other = active_[k];
+    for (const std::uint32_t other : active_) {
       if (right(other).longitude_key < start) continue;
       active_[kept++] = other;
       if (!meet(other, added)) return false;
