@@ -18,6 +18,7 @@ int run_classify(const Options& options, const Context& context);
 int run_section(const Options& options, const Context& context);
 int run_interfere(const Options& options, const Context& context);
 int run_hull(const Options& options, const Context& context);
+int run_polytope_sum(const Options& options, const Context& context);
 int run_arrange(const Options& options, const Context& context);
 int run_arrange_on_sphere(const Options& options, const Context& context);
 int run_overlay(const Options& options, const Context& context);

@@ -47,7 +47,8 @@ int run(const Options& options) {
                                                {"classify", run_classify},
                                                {"section", run_section},
                                                {"interfere", run_interfere},
-                                               {"hull", run_hull}};
+                                               {"hull", run_hull},
+                                               {"minkowski", run_polytope_sum}};
   return runs.at(options.command)(options, context);
 }
 

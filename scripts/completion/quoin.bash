@@ -3,7 +3,7 @@
 _quoin() {
   local word="${COMP_WORDS[COMP_CWORD]}" previous="${COMP_WORDS[COMP_CWORD - 1]}"
   local commands="union intersection difference xor csg info check repair convert view classify section interfere \
-hull arrange overlay locate polygon envelope"
+hull minkowski arrange overlay locate polygon envelope"
   local common="--json --threads --timeout --seed --weld -q --quiet -v --verbose -h --help"
   local makes="-o --output --format --accept-rounding"
   local draws="-o --output --format --labels"
@@ -36,7 +36,7 @@ hull arrange overlay locate polygon envelope"
   if [[ $word == -* ]]; then
     local options="$common"
     case "${COMP_WORDS[1]}" in
-      union | intersection | difference | xor | csg | repair | convert | view | hull) options+=" $makes" ;;
+      union | intersection | difference | xor | csg | repair | convert | view | hull | minkowski) options+=" $makes" ;;
       classify) options+=" --point --points --line" ;;
       section) options+=" --plane -o --output" ;;
       arrange) options+=" $draws --sphere" ;;

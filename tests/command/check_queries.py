@@ -98,6 +98,36 @@ class Hull(CommandTest):
                 self.read("x.off")
 
 
+class Minkowski(CommandTest):
+    def test_boxes(self):
+        report = self.json_of("minkowski", "a.off", "b.off", "-o", "s.off", "-o", "s.qsolid")
+        self.assertEqual((report["vertices"], report["edges"], report["facets"], report["volume"]), (8, 12, 6, 64))
+        for name in ("s.off", "s.qsolid"):
+            self.assertEqual(self.json_of("check", name)["valid"], True)
+
+    def test_sums_that_are_no_doubles(self):
+        self.write("tiny.off", box((0, 0, 0), (1e-20, 1e-20, 1e-20)))
+        report = self.json_of("minkowski", "a.off", "tiny.off", "-o", "s.qsolid")
+        self.assertEqual(report["facets"], 6)
+        self.assertEqual(self.json_of("check", "s.qsolid")["valid"], True)
+        self.assertEqual(self.info("s.qsolid")["vertices"], 8)
+
+    def test_points_and_flat_operands(self):
+        self.write("octahedron.off", "OFF\n6 0 0\n1 0 0\n-1 0 0\n0 1 0\n0 -1 0\n0 0 1\n0 0 -1\n")
+        self.write("square.off", "OFF\n4 0 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n")
+        report = self.json_of("minkowski", "octahedron.off", "a.off")
+        self.assertEqual((report["vertices"], report["edges"], report["facets"]), (24, 48, 26))
+        self.assertEqual(self.json_of("minkowski", "a.off", "square.off")["volume"], 18)
+        self.assertIn("flat", self.run_quoin("minkowski", "square.off", "square.off", code=REFUSED).stderr)
+        self.run_quoin("minkowski", "a.off", code=USAGE)
+
+    def test_what_is_not_convex(self):
+        self.run_quoin("union", "a.off", "b.off", "-o", "u.off")
+        self.assertRegex(self.run_quoin("minkowski", "u.off", "a.off", code=REFUSED).stderr, r"not convex at the edge from \(")
+        self.run_quoin("union", "a.off", "far.off", "-o", "two.off")
+        self.assertIn("2 parts", self.run_quoin("minkowski", "two.off", "a.off", code=REFUSED).stderr)
+
+
 class Classify(CommandTest):
     def test_points(self):
         report = self.json_of("classify", "--point", "1,1,1", "a.off", "--point", "0,1,1", "--point", "0,0,1", "--point",

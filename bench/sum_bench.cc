@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// Times Minkowski sums of two polytopes given as points, and prints a line of JSON; peers/cgal_sum.cc does the same.
+//
+//   sum_bench [--rounds N] A B             files of points, a line each
+//   sum_bench --write FREQUENCY DEGREES OUT    the vertices of a geodesic sphere, turned about two axes
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "peak_memory.h"
+#include "point_file.h"
+#include "quoin/polytope/minkowski_sum.h"
+#include "quoin/solid/shapes.h"
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+std::vector<quoin::Point3> points_of(const std::string& file) {
+  std::vector<quoin::Point3> points;
+  for (const auto& [x, y, z] : point_file::read(file)) points.push_back({x, y, z});
+  return points;
+}
+
+void write_sphere(std::size_t frequency, double degrees, const std::string& file) {
+  quoin::Mesh mesh = quoin::shapes::geodesic_sphere(frequency);
+  const double angle = degrees * 0.017453292519943295;
+  if (angle != 0) {
+    mesh = quoin::shapes::rotated(mesh, quoin::shapes::Axis::x, angle);
+    mesh = quoin::shapes::rotated(mesh, quoin::shapes::Axis::z, angle);
+  }
+  std::vector<point_file::Point> points;
+  for (const quoin::Point3& p : mesh.vertices) points.push_back({p.x, p.y, p.z});
+  point_file::write(file, points);
+}
+
+/// From points to polytopes, and from these to the sum, apart.
+void run(const std::string& first, const std::string& second, int rounds) {
+  const std::vector<quoin::Point3> a = points_of(first);
+  const std::vector<quoin::Point3> b = points_of(second);
+  const quoin::Context context({.threads = 1});
+  double build = 1e300;
+  double best = 1e300;
+  quoin::PolytopeSum sum;
+  for (int round = 0; round < rounds; ++round) {
+    const auto start = Clock::now();
+    const quoin::Polytope p = quoin::Polytope::hull_of(a, context);
+    const quoin::Polytope q = quoin::Polytope::hull_of(b, context);
+    const auto built = Clock::now();
+    sum = quoin::minkowski_sum(p, q, context);
+    build = std::min(build, std::chrono::duration<double>(built - start).count());
+    best = std::min(best, std::chrono::duration<double>(Clock::now() - built).count());
+  }
+  std::printf(
+      "{\"seconds\": %.9f, \"build_seconds\": %.9f, \"vertices\": %zu, \"edges\": %zu, \"facets\": %zu, "
+      "\"peak_kb\": %ld}\n",
+      best, build, sum.vertices.size(), sum.edge_count(), sum.facet_count(), peak_kb());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::vector<std::string> words(argv + 1, argv + argc);
+  try {
+    if (words.size() == 4 && words[0] == "--write") {
+      write_sphere(std::stoul(words[1]), std::stod(words[2]), words[3]);
+      return 0;
+    }
+    int rounds = 1;
+    if (words.size() == 4 && words[0] == "--rounds") {
+      rounds = std::stoi(words[1]);
+      words.erase(words.begin(), words.begin() + 2);
+    }
+    if (words.size() != 2) throw std::invalid_argument("sum_bench [--rounds N] A B");
+    run(words[0], words[1], rounds);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+  return 0;
+}

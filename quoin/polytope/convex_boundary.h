@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "quoin/kernel/rational_point.h"
+#include "quoin/polytope/hull.h"
+#include "quoin/solid/brep.h"
+
+namespace quoin {
+
+/// The boundary of a polytope of dimension 3 as that of a solid: facets as faces, each its own origin in a leaf of the
+/// given name. The facets are maximal, strictly convex polygons, counterclockwise seen from outside, over all vertices.
+/// O(n).
+Brep convex_boundary(const std::vector<RationalPoint3>& vertices, std::span<const std::uint32_t> corners,
+                     std::span<const std::size_t> facet_begin, const std::string& name);
+/// Of a hull of dimension 3.
+Brep convex_boundary(const ConvexHull& hull, std::span<const Point3> points, const std::string& name);
+
+/// An edge of a boundary at which the solid is not convex, by its ends; nothing if there is none. A solid of one
+/// component without reflex edges is convex. Exact, O(n).
+std::optional<std::array<PointId, 2>> find_reflex_edge(const Brep& boundary);
+
+}  // namespace quoin

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quoin/polytope/edge_predicates.h"
+
+#include <array>
+
+#include "quoin/kernel/call_grid.h"
+
+namespace quoin {
+
+namespace {
+
+template <class N>
+using Row = std::array<typename N::Linear, 3>;
+
+template <class N>
+Row<N> row(const detail::CallReader<N>& difference, const EdgeVector& v) {
+  return {difference(v.to.x, v.from.x), difference(v.to.y, v.from.y), difference(v.to.z, v.from.z)};
+}
+
+template <class Formula>
+auto on_grid(const EdgeVector& a, const EdgeVector& b, const EdgeVector& c, const Formula& formula) {
+  const std::array<double, 18> values{a.from.x, a.from.y, a.from.z, a.to.x, a.to.y, a.to.z,
+                                      b.from.x, b.from.y, b.from.z, b.to.x, b.to.y, b.to.z,
+                                      c.from.x, c.from.y, c.from.z, c.to.x, c.to.y, c.to.z};
+  Tier ignored;
+  return detail::decide_on_grid(values, ignored, [&]<class N>(const detail::CallReader<N>& difference) {
+    return formula.template operator()<N>(row(difference, a), row(difference, b), row(difference, c));
+  });
+}
+
+}  // namespace
+
+RoundedNormal rounded_normal(const Vector3& u, const Vector3& w) {
+  const double yz = u.y * w.z;
+  const double zy = u.z * w.y;
+  const double zx = u.z * w.x;
+  const double xz = u.x * w.z;
+  const double xy = u.x * w.y;
+  const double yx = u.y * w.x;
+  return {{yz - zy, zx - xz, xy - yx},
+          std::fmax(std::fabs(yz) + std::fabs(zy),
+                    std::fmax(std::fabs(zx) + std::fabs(xz), std::fabs(xy) + std::fabs(yx)))};
+}
+
+Sign exact_determinant(const EdgeVector& a, const EdgeVector& b, const EdgeVector& c) {
+  return on_grid(a, b, c, []<class N>(const Row<N>& p, const Row<N>& q, const Row<N>& r) {
+    return detail::dot<typename N::Cubic>(detail::cross<typename N::Quadratic>(p, q), r).sign();
+  });
+}
+
+Sign first_sign_of_double_cross(const EdgeVector& a, const EdgeVector& b, const EdgeVector& c) {
+  return on_grid(a, b, c, []<class N>(const Row<N>& p, const Row<N>& q, const Row<N>& r) {
+    const auto normal = detail::cross<typename N::Quadratic>(p, q);
+    for (const auto& component : detail::cross<typename N::Cubic>(normal, r)) {
+      if (component.sign() != Sign::zero) return component.sign();
+    }
+    return Sign::zero;
+  });
+}
+
+bool are_parallel(const EdgeVector& a, const EdgeVector& b) {
+  const Vector3 p = rounded(a);
+  const Vector3 q = rounded(b);
+  const auto differs = [](double x, double y, double z, double w) {
+    const double left = x * w;
+    const double right = y * z;
+    return std::fabs(left - right) > 8 * 0x1p-53 * (std::fabs(left) + std::fabs(right)) + 0x1p-1060;
+  };
+  if (differs(p.x, p.y, q.x, q.y) || differs(p.y, p.z, q.y, q.z) || differs(p.z, p.x, q.z, q.x)) return false;
+  return on_grid(a, b, a, []<class N>(const Row<N>& r, const Row<N>& s, const Row<N>& /*same*/) {
+           for (const auto& component : detail::cross<typename N::Quadratic>(r, s)) {
+             if (component.sign() != Sign::zero) return Sign::positive;
+           }
+           return Sign::zero;
+         }) == Sign::zero;
+}
+
+}  // namespace quoin
