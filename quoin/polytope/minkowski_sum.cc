@@ -316,10 +316,49 @@ void OverlayGraph::trace_facets(PolytopeSum& result) {
   }
 }
 
+bool point_one_way(const EdgeVector& a, const EdgeVector& b) {
+  if (!are_parallel(a, b)) return false;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const Sign sign = sign_of(a.to[axis] - a.from[axis]);
+    if (sign != Sign::zero) return sign_of(b.to[axis] - b.from[axis]) == sign;
+  }
+  return false;
+}
+
+/// Both have the same vertices, edges and facets by number, and edges of one number are parallel: so are facets. Equal
+/// and homothetic polytopes whose vertices come in one order are of this kind, and parallel boxes.
+bool have_equal_maps(const Polytope& p, const Polytope& q) {
+  if (p.dimension() != q.dimension() || p.halfedges().size() != q.halfedges().size()) return false;
+  for (std::uint32_t h = 0; h < p.halfedges().size(); ++h) {
+    const Polytope::Halfedge& a = p.halfedges()[h];
+    const Polytope::Halfedge& b = q.halfedges()[h];
+    if (a.tail != b.tail || a.head != b.head || a.twin != b.twin || a.facet != b.facet || a.next != b.next)
+      return false;
+    if (h < a.twin && !point_one_way(p.edge(h), q.edge(h))) return false;
+  }
+  return true;
+}
+
+PolytopeSum sum_of_equal_maps(const Polytope& p) {
+  PolytopeSum sum;
+  sum.has_ties = true;
+  for (std::uint32_t v = 0; v < p.vertex_count(); ++v) sum.vertices.push_back({v, v});
+  for (std::uint32_t f = 0; f < p.facet_count(); ++f) {
+    std::uint32_t h = p.first_halfedge(f);
+    do {
+      sum.corners.push_back(p.halfedges()[h].tail);
+      h = p.halfedges()[h].next;
+    } while (h != p.first_halfedge(f));
+    sum.facet_begin.push_back(sum.corners.size());
+  }
+  return sum;
+}
+
 }  // namespace
 
 PolytopeSum minkowski_sum(const Polytope& p, const Polytope& q, const Context& context) {
   if (p.dimension() < 3 && q.dimension() < 3) throw InputError("Minkowski sum: both polytopes are flat");
+  if (have_equal_maps(p, q)) return sum_of_equal_maps(p);
   return OverlayGraph(p, q, context).sum();
 }
 
