@@ -48,7 +48,10 @@ int run(const Options& options) {
                                                {"section", run_section},
                                                {"interfere", run_interfere},
                                                {"hull", run_hull},
-                                               {"minkowski", run_polytope_sum}};
+                                               {"minkowski", run_polytope_sum},
+                                               {"distance", run_distance},
+                                               {"width", run_width},
+                                               {"gaussian-map", run_gaussian_map}};
   return runs.at(options.command)(options, context);
 }
 

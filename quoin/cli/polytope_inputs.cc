@@ -41,7 +41,8 @@ void require_convex(const Brep& boundary, const std::string& name) {
   }
   if (const auto edge = find_reflex_edge(boundary)) {
     throw InputError(shown(name) + ": not convex at the edge from " + text_of(boundary.points.exact((*edge)[0])) +
-                     " to " + text_of(boundary.points.exact((*edge)[1])) + "; sums of such solids are not made yet");
+                     " to " + text_of(boundary.points.exact((*edge)[1])) +
+                     "; only convex solids are taken here as yet");
   }
 }
 
@@ -65,6 +66,14 @@ std::vector<Point3> read_polytope(const std::string& name, const Options& option
     require_convex(Solid::from_leaf(leaf.leaf, context).boundary(), name);
   }
   return vertices_of(input, name);
+}
+
+Polytope polytope_of(const std::vector<Point3>& points, const std::string& name, const Context& context) {
+  try {
+    return Polytope::hull_of(points, context);
+  } catch (const InputError& error) {
+    throw InputError(shown(name) + ": " + error.what());
+  }
 }
 
 }  // namespace quoin::cli

@@ -7,6 +7,7 @@
 #include "quoin/base/context.h"
 #include "quoin/cli/options.h"
 #include "quoin/kernel/point.h"
+#include "quoin/polytope/polytope.h"
 
 namespace quoin::cli {
 
@@ -19,5 +20,8 @@ std::vector<Point3> read_vertices(const std::string& name, const Options& option
 /// @throws InputError  also of a solid that is not convex, naming a reflex edge
 std::vector<Point3> read_polytope(const std::string& name, const Options& options, std::vector<std::string>& warnings,
                                   const Context& context);
+
+/// The hull of points of that file. @throws InputError naming the file
+Polytope polytope_of(const std::vector<Point3>& points, const std::string& name, const Context& context);
 
 }  // namespace quoin::cli

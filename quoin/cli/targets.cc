@@ -67,7 +67,8 @@ Target target_of(const std::string& name, const Options& options) {
 }  // namespace
 
 bool is_planar(const std::string& command) {
-  static const std::unordered_set<std::string> commands{"arrange", "overlay", "polygon", "locate", "envelope"};
+  static const std::unordered_set<std::string> commands{"arrange", "overlay",  "polygon",
+                                                        "locate",  "envelope", "gaussian-map"};
   return commands.contains(command);
 }
 

@@ -128,6 +128,37 @@ class Minkowski(CommandTest):
         self.assertIn("2 parts", self.run_quoin("minkowski", "two.off", "a.off", code=REFUSED).stderr)
 
 
+class Distance(CommandTest):
+    def test_relations(self):
+        apart = self.json_of("distance", "a.off", "far.off")
+        self.assert_keys(apart, "relation squared_distance exact_squared_distance distance witness exact_witness warnings")
+        self.assertEqual((apart["relation"], apart["squared_distance"]), ("apart", 147))
+        self.assertEqual(apart["witness"], [[2, 2, 2], [9, 9, 9]])
+        inside = self.json_of("distance", "a.off", "b.off")
+        self.assertEqual((inside["relation"], inside["squared_penetration"]), ("overlapping", 1))
+        touching = self.json_of("distance", "a.off", "b.off", "--translate", "-1,1/2,0")
+        self.assertEqual((touching["relation"], touching["squared_distance"]), ("touching", 0))
+        self.assertIn("no double", self.run_quoin("distance", "a.off", "b.off", "--translate", "1/3,0,0", code=REFUSED).stderr)
+        self.run_quoin("distance", "a.off", "b.off", "--translate", "1,2", code=USAGE)
+        self.assertRegex(self.run_quoin("distance", "a.off", "far.off").stdout, r"relation +apart\n")
+
+    def test_width(self):
+        self.write("slab.off", box((0, 0, 0), (3, 5, 0.5)))
+        report = self.json_of("width", "slab.off")
+        self.assertEqual((report["width"], report["exact_squared_width"]), (0.5, "1/4"))
+        self.assertEqual(sorted(len(face) for face in report["witness"]), [4, 4])
+        self.assertEqual((report["exact_squared_diameter"], len(report["diameter_witness"])), ("137/4", 2))
+
+
+class GaussianMap(CommandTest):
+    def test_counts_and_page(self):
+        report = self.json_of("gaussian-map", "a.off", "-o", "map.html")
+        self.assertEqual((report["vertices"], report["edges"], report["faces"]), (6, 12, 8))
+        self.assertEqual(report["polytope"], {"vertices": 8, "edges": 12, "facets": 6})
+        self.assertIn(b"vertex 0 at [0.0,0.0,0.0]", self.read("map.html"))
+        self.run_quoin("gaussian-map", "a.off", "-o", "map.svg", code=USAGE)
+
+
 class Classify(CommandTest):
     def test_points(self):
         report = self.json_of("classify", "--point", "1,1,1", "a.off", "--point", "0,1,1", "--point", "0,0,1", "--point",

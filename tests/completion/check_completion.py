@@ -35,7 +35,7 @@ def offered_by_zsh(*words, folder):
 
 
 def differences(shell, offered, folder):
-    commands = set(re.findall(r"^  ([a-z]+) {2,}", help_of().split("Subcommands:")[1], re.M))
+    commands = set(re.findall(r"^  ([a-z][a-z-]*) {2,}", help_of().split("Subcommands:")[1], re.M))
     cases = [(("",), commands), (("in",), {c for c in commands if c.startswith("in")})]
     for name in sorted(commands):
         cases.append(((name, "--"), set(re.findall(r"--[a-z-]+", help_of(name).split("Options:")[1]))))

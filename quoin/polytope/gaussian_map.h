@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "quoin/arrangement/geodesic/geodesic_arrangement.h"
+#include "quoin/base/context.h"
+#include "quoin/number/rational.h"
+#include "quoin/polytope/polytope.h"
+
+namespace quoin {
+
+/// The Gaussian map of a polytope as an arrangement on the sphere, for pictures, checks and what works on arrangements.
+///
+/// A facet is the vertex in the direction of its outward normal, an edge the arc between the normals of its two facets,
+/// a vertex the face of the directions in which it is extreme. Arcs that pass the identification (u = pi) are cut
+/// there, by vertices of two edges that are no facets.
+struct GaussianMap {
+  GeodesicArrangement arrangement;
+  std::vector<std::uint32_t> vertex_of_face;  ///< by face: the vertex of the polytope
+  std::vector<std::uint32_t> arcs;            ///< by curve of the arrangement: a halfedge of the polytope; the arc runs
+                                              ///< from the normal of its facet to that of its twin's
+};
+
+/// Exact. O(n log n). @throws Cancelled
+GaussianMap gaussian_map(const Polytope& p, const Context& context);
+
+/// The polytope that a map is of, from its cells alone: its facets as rings of vertices, in the order of the map's
+/// vertices; vertices that cut an arc are skipped. O(n).
+std::vector<std::vector<std::uint32_t>> facets_of_map(const GaussianMap& map);
+
+}  // namespace quoin

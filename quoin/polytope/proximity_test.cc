@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Distances and widths against proofs: witnesses that lie in both, and planes that keep everything on its side; and
+// against the hull of all differences.
+#include "quoin/polytope/proximity.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "quoin/base/error.h"
+#include "quoin/base/test_rounds.h"
+#include "quoin/polytope/convex_boundary.h"
+#include "quoin/polytope/hull.h"
+#include "quoin/solid/query/interference.h"
+
+namespace quoin {
+namespace {
+
+using Random = std::mt19937_64;
+using Points = std::vector<Point3>;
+
+const Context one_thread({.threads = 1});
+
+int below(Random& random, int end) {
+  return static_cast<int>(random() % static_cast<std::uint64_t>(end));
+}
+
+RationalPoint3 exact(const Point3& p) {
+  return {Rational(p.x), Rational(p.y), Rational(p.z)};
+}
+
+Points moved(Points points, double x, double y, double z) {
+  for (Point3& p : points) p = {p.x + x, p.y + y, p.z + z};
+  return points;
+}
+
+bool holds(const Points& points, const RationalPoint3& p) {
+  const ConvexHull hull = convex_hull(points, one_thread);
+  for (std::size_t f = 0; f < hull.facet_count(); ++f) {
+    const auto facet = hull.facet(f);
+    const RationalPoint3 origin = exact(points[facet[0]]);
+    const RationalPoint3 normal = cross(exact(points[facet[1]]) - origin, exact(points[facet[2]]) - origin);
+    if (dot(normal, p - origin).sign() == Sign::positive) return false;
+  }
+  return true;
+}
+
+/// The squared distance from the origin to the nearest facet plane of the hull of all differences.
+Rational depth_by_hull(const Points& a, const Points& b) {
+  Points differences;
+  for (const Point3& p : a) {
+    for (const Point3& q : b) differences.push_back({p.x - q.x, p.y - q.y, p.z - q.z});
+  }
+  const ConvexHull hull = convex_hull(differences, one_thread);
+  Rational least(1e300);
+  for (std::size_t f = 0; f < hull.facet_count(); ++f) {
+    const auto facet = hull.facet(f);
+    const RationalPoint3 origin = exact(differences[facet[0]]);
+    const RationalPoint3 normal = cross(exact(differences[facet[1]]) - origin, exact(differences[facet[2]]) - origin);
+    const Rational height = dot(normal, origin);
+    least = std::min(least, height * height / dot(normal, normal));
+  }
+  return least;
+}
+
+Solid solid_of(const Points& points) {
+  const ConvexHull hull = convex_hull(points, one_thread);
+  Mesh mesh;
+  mesh.vertices = points;
+  for (std::size_t f = 0; f < hull.facet_count(); ++f) mesh.add_face(hull.facet(f));
+  return Solid::from_leaf(make_leaf(mesh, {}, one_thread).leaf, one_thread);
+}
+
+Proximity relation_of_solids(const Points& a, const Points& b) {
+  switch (interference(solid_of(a), solid_of(b), one_thread).kind) {
+    case Interference::overlapping:
+      return Proximity::overlapping;
+    case Interference::touching:
+      return Proximity::touching;
+    case Interference::apart:
+      break;
+  }
+  return Proximity::apart;
+}
+
+PolytopeDistance check_distance(const Points& a, const Points& b) {
+  const PolytopeDistance d =
+      polytope_distance(Polytope::hull_of(a, one_thread), Polytope::hull_of(b, one_thread), one_thread);
+  EXPECT_EQ(d.relation, relation_of_solids(a, b));
+  EXPECT_TRUE(holds(a, d.witness[0]));
+  EXPECT_TRUE(holds(b, d.witness[1]));
+  const RationalPoint3 between = d.witness[0] - d.witness[1];
+  if (d.relation == Proximity::overlapping) {
+    EXPECT_EQ(d.squared_distance, Rational(0));
+    EXPECT_EQ(d.squared_penetration, depth_by_hull(a, b));
+    EXPECT_EQ(dot(d.separation, d.separation), d.squared_penetration);
+    EXPECT_EQ(between, d.separation * Rational(-1));
+    return d;
+  }
+  EXPECT_EQ(d.squared_penetration, Rational(0));
+  EXPECT_EQ(dot(between, between), d.squared_distance);
+  EXPECT_EQ(d.squared_distance.sign() == Sign::positive, d.relation == Proximity::apart);
+  // Nothing of either comes nearer than the planes through the witnesses.
+  for (const Point3& p : a) EXPECT_NE(dot(between, exact(p) - d.witness[0]).sign(), Sign::negative);
+  for (const Point3& p : b) EXPECT_NE(dot(between, exact(p) - d.witness[1]).sign(), Sign::positive);
+  return d;
+}
+
+const Points cube{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}};
+
+TEST(PolytopeDistance, OfBoxes) {
+  EXPECT_EQ(check_distance(cube, moved(cube, 3, 0, 0)).squared_distance, Rational(4));
+  EXPECT_EQ(check_distance(cube, moved(cube, 3, 3, 0)).squared_distance, Rational(8));
+  EXPECT_EQ(check_distance(cube, moved(cube, 3, 3, -4)).squared_distance, Rational(17));
+  EXPECT_EQ(check_distance(cube, moved(cube, 1, 0.5, 0.5)).relation, Proximity::touching);
+  EXPECT_EQ(check_distance(cube, moved(cube, 1, 1, 0.5)).relation, Proximity::touching);
+  EXPECT_EQ(check_distance(cube, moved(cube, 1, 1, 1)).relation, Proximity::touching);
+  EXPECT_EQ(check_distance(cube, cube).squared_penetration, Rational(1));
+  EXPECT_EQ(check_distance(cube, moved(cube, 0.75, 0.5, 0)).squared_penetration, Rational(0.0625));
+  const double tiny = 0x1p-52;
+  EXPECT_EQ(check_distance(cube, moved(cube, 1 + tiny, 0, 0)).squared_distance, Rational(0x1p-104));
+  EXPECT_EQ(check_distance(cube, moved(cube, 1 - tiny / 2, 0, 0)).squared_penetration, Rational(0x1p-106));
+}
+
+TEST(PolytopeDistance, OfRandomPolytopesOnSmallGrids) {
+  std::array<int, 3> seen{};
+  for (std::uint64_t seed = 0; seed < test_rounds(1500U); ++seed) {
+    Random random(seed);
+    const auto draw = [&] {
+      const int size = 2 + below(random, 5);
+      Points points;
+      for (int i = 4 + below(random, 6); i > 0; --i) {
+        points.push_back({double(below(random, size)), double(below(random, size)), double(below(random, size))});
+      }
+      return points;
+    };
+    const Points a = draw();
+    const Points b = moved(draw(), below(random, 7) - 3, below(random, 7) - 3, below(random, 7) - 3);
+    if (convex_hull(a, one_thread).dimension < 3 || convex_hull(b, one_thread).dimension < 3) continue;
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    ++seen.at(static_cast<std::size_t>(check_distance(a, b).relation));
+    if (HasFailure()) return;
+  }
+  for (const int count : seen) EXPECT_GT(count, test_cases(50));
+}
+
+TEST(PolytopeDistance, OfPolytopesInGeneralPosition) {
+  for (std::uint64_t seed = 0; seed < test_rounds(60U); ++seed) {
+    Random random(seed);
+    std::normal_distribution<double> normal;
+    const auto draw = [&](double x) {
+      Points points;
+      for (int i = 0; i < 30; ++i) points.push_back({normal(random) + x, normal(random), normal(random)});
+      return points;
+    };
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Points a = draw(0);
+    const Points b = draw(seed % 2 == 0 ? 5 : 8);
+    const PolytopeDistance d =
+        polytope_distance(Polytope::hull_of(a, one_thread), Polytope::hull_of(b, one_thread), one_thread);
+    if (d.relation != Proximity::apart) continue;
+    check_distance(a, b);
+    if (HasFailure()) return;
+  }
+}
+
+TEST(PolytopeWidth, OfSolidsThatAreKnown) {
+  const auto width = [](const Points& points) {
+    const PolytopeWidth w = polytope_width(Polytope::hull_of(points, one_thread), one_thread);
+    EXPECT_EQ(w.squared_width, depth_by_hull(points, points));
+    // All points lie between the two planes, those of the faces in them.
+    const Polytope p = Polytope::hull_of(points, one_thread);
+    const RationalPoint3 high = exact(p.vertex(w.faces[0].at(0)));
+    const RationalPoint3 low = exact(p.vertex(w.faces[1].at(0)));
+    for (std::uint32_t v = 0; v < p.vertex_count(); ++v) {
+      const Sign above = dot(w.direction, exact(p.vertex(v)) - high).sign();
+      const Sign over = dot(w.direction, exact(p.vertex(v)) - low).sign();
+      EXPECT_NE(above, Sign::positive);
+      EXPECT_NE(over, Sign::negative);
+      EXPECT_EQ(above == Sign::zero, std::ranges::count(w.faces[0], v) == 1);
+      EXPECT_EQ(over == Sign::zero, std::ranges::count(w.faces[1], v) == 1);
+    }
+    return w.squared_width;
+  };
+  EXPECT_EQ(width(cube), Rational(1));
+  // Octahedron: two facets; tetrahedron in a cube of two: two edges.
+  EXPECT_EQ(width({{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}), Rational(4) / Rational(3));
+  EXPECT_EQ(width({{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}), Rational(4));
+  Random random(4);
+  for (int i = 0; i < 40; ++i) {
+    Points points;
+    for (int k = 0; k < 12; ++k) {
+      points.push_back({double(below(random, 20)), double(below(random, 9)), double(below(random, 9))});
+    }
+    if (convex_hull(points, one_thread).dimension == 3) width(points);
+  }
+  const Points square{{0, 0, 0}, {1, 0, 1}, {0, 1, 0}, {1, 1, 1}};
+  EXPECT_EQ(polytope_width(Polytope::hull_of(square, one_thread), one_thread).squared_width, Rational(0));
+}
+
+TEST(PolytopeDiameter, AgreesWithAllPairs) {
+  const auto check = [](const Points& points) {
+    Rational most(0);
+    for (const Point3& a : points) {
+      for (const Point3& b : points) {
+        const RationalPoint3 d = exact(a) - exact(b);
+        most = std::max(most, dot(d, d));
+      }
+    }
+    const Polytope p = Polytope::hull_of(points, one_thread);
+    const PolytopeDiameter diameter = polytope_diameter(p, one_thread);
+    EXPECT_EQ(diameter.squared_diameter, most);
+    const RationalPoint3 d = exact(p.vertex(diameter.vertices[0])) - exact(p.vertex(diameter.vertices[1]));
+    EXPECT_EQ(dot(d, d), most);
+  };
+  check(cube);
+  check({{0, 0, 0}, {1, 0, 1}, {0, 1, 0}, {1, 3, 1}});
+  Random random(6);
+  for (int i = 0; i < 60; ++i) {
+    Points points;
+    for (int k = 0; k < 15; ++k) {
+      points.push_back({double(below(random, 9)), double(below(random, 9)), double(below(random, 9))});
+    }
+    if (convex_hull(points, one_thread).dimension > 1) check(points);
+  }
+}
+
+}  // namespace
+}  // namespace quoin
