@@ -3,6 +3,7 @@
 #include "quoin/cli/commands.h"
 #include "quoin/cli/failure.h"
 #include "quoin/cli/inputs.h"
+#include "quoin/cli/planar.h"
 #include "quoin/cli/polytope_inputs.h"
 #include "quoin/cli/reporting.h"
 #include "quoin/cli/sphere_pages.h"
@@ -41,13 +42,8 @@ int report_flat(const ConvexHull& hull, Json details, std::vector<std::string> w
                                                                                         : "place");
   if (!options.outputs.empty()) throw InputError(flat + ": their hull bounds no solid that a file could hold");
   warnings.push_back(flat);
-  details["warnings"] = warnings;
-  if (options.json) {
-    print_json(details, options);
-    return 0;
-  }
-  if (!options.quiet) report_stream(options) << as_text(details);
-  print_warnings(warnings, options);
+  const std::string text = as_text(details);
+  print_report(std::move(details), text, warnings, options);
   return 0;
 }
 
@@ -105,12 +101,8 @@ int run_gaussian_map(const Options& options, const Context& context) {
   const dcel::Counts found = map.arrangement.counts();
   Json report{{"vertices", found.vertices}, {"edges", found.edges}, {"faces", found.faces}};
   report["polytope"] = counts(p.vertex_count(), p.edge_count(), p.facet_count());
-  report["warnings"] = warnings;
-  if (options.json) {
-    print_json(report, options);
-    return 0;
-  }
-  if (!options.quiet) report_stream(options) << as_text(report);
+  const std::string text = as_text(report);
+  print_report(std::move(report), text, warnings, options);
   return 0;
 }
 

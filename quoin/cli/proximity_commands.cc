@@ -5,7 +5,7 @@
 #include "quoin/base/error.h"
 #include "quoin/cli/commands.h"
 #include "quoin/cli/coordinates.h"
-#include "quoin/cli/inputs.h"
+#include "quoin/cli/planar.h"
 #include "quoin/cli/polytope_inputs.h"
 #include "quoin/cli/reporting.h"
 #include "quoin/cli/streams.h"
@@ -52,13 +52,8 @@ void translate(std::vector<Point3>& points, const std::string& text) {
 }
 
 int print(Json report, const std::vector<std::string>& warnings, const Options& options) {
-  if (options.json) {
-    report["warnings"] = warnings;
-    print_json(report, options);
-    return 0;
-  }
-  if (!options.quiet) report_stream(options) << as_text(report);
-  print_warnings(warnings, options);
+  const std::string text = as_text(report);
+  print_report(std::move(report), text, warnings, options);
   return 0;
 }
 

@@ -14,14 +14,14 @@
 
 #include "quoin/base/test_rounds.h"
 #include "quoin/polytope/hull.h"
+#include "quoin/polytope/test_polytopes.h"
 
 namespace quoin {
 namespace {
 
-using Points = std::vector<Point3>;
-using Facets = std::set<std::vector<std::uint32_t>>;
+using namespace test_polytopes;
 
-const Context one_thread({.threads = 1});
+using Facets = std::set<std::vector<std::uint32_t>>;
 
 std::vector<std::uint32_t> rotated(std::vector<std::uint32_t> facet) {
   std::rotate(facet.begin(), std::min_element(facet.begin(), facet.end()), facet.end());
@@ -65,15 +65,7 @@ TEST(GaussianMap, PublishedCounts) {
   EXPECT_EQ(counts_of_map({{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}), (Counts{10, 28, 6}));
   EXPECT_EQ(counts_of_map({{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}), (Counts{7, 18, 4}));
   EXPECT_EQ(counts_of_map({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}), (Counts{4, 12, 4}));
-  Points icosahedron;
-  for (const double a : {-5.0, 5.0}) {
-    for (const double b : {-8.0, 8.0}) {
-      icosahedron.push_back({0, a, b});
-      icosahedron.push_back({b, 0, a});
-      icosahedron.push_back({a, b, 0});
-    }
-  }
-  EXPECT_EQ(counts_of_map(icosahedron), (Counts{23, 66, 12}));
+  EXPECT_EQ(counts_of_map(icosahedron()), (Counts{23, 66, 12}));
   // With two vertices as poles; rounded, and yet its own mirror image in the plane y = 0.
   Points turned{{0, 0, 1}, {0, 0, -1}};
   const double r = 2 / std::sqrt(5.0);

@@ -17,18 +17,12 @@
 #include "quoin/base/test_rounds.h"
 #include "quoin/kernel/predicates2.h"
 #include "quoin/kernel/predicates3.h"
+#include "quoin/polytope/test_polytopes.h"
 
 namespace quoin {
 namespace {
 
-using Random = std::mt19937_64;
-using Points = std::vector<Point3>;
-
-const Context one_thread({.threads = 1});
-
-int below(Random& random, int end) {
-  return static_cast<int>(random() % static_cast<std::uint64_t>(end));
-}
+using namespace test_polytopes;
 
 /// Empty outside: facets turn left and no point is beyond them; closed: each edge once in both directions; Euler;
 /// corners are the vertices; canonical order.
@@ -154,15 +148,7 @@ TEST(ConvexHull, BasicSolids) {
   EXPECT_EQ(counts({{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}), (Counts{6, 12, 8}));
   EXPECT_EQ(counts(grid(2)), (Counts{8, 12, 6}));
   EXPECT_EQ(counts(grid(5)), (Counts{8, 12, 6}));
-  Points icosahedron;
-  for (const double a : {-5.0, 5.0}) {
-    for (const double b : {-8.0, 8.0}) {
-      icosahedron.push_back({0, a, b});
-      icosahedron.push_back({b, 0, a});
-      icosahedron.push_back({a, b, 0});
-    }
-  }
-  EXPECT_EQ(counts(icosahedron), (Counts{12, 30, 20}));
+  EXPECT_EQ(counts(icosahedron()), (Counts{12, 30, 20}));
   Points cuboctahedron;
   for (const Point3& p : grid(3)) {
     const double x = p.x - 1;

@@ -24,8 +24,8 @@ class OverlayGraph {
       : p_(p), q_(q), predicates_(p, q), overlay_(p, q, predicates_, context), context_(context) {
     add_arcs_of_p();
     add_arcs_of_q();
-    link_facets_of_p();
-    link_facets_of_q();
+    link_facets(p, p_darts_);
+    link_facets(q, q_darts_);
     link_crossings();
   }
 
@@ -61,11 +61,8 @@ class OverlayGraph {
   void add_arcs_of_p();
   void add_arcs_of_q();
   void link_ring(std::span<const std::uint32_t> ring);
-  void link_facets_of_p();
-  void link_facets_of_q();
+  void link_facets(const Polytope& polytope, std::span<const std::uint32_t> darts);
   void link_crossings();
-  std::uint32_t first_dart_of_p(std::uint32_t halfedge) const;
-  std::uint32_t first_dart_of_q(std::uint32_t halfedge) const;
 
   void contract(DisjointSets& classes) const;
   bool has_length(std::uint32_t dart) const;
@@ -155,28 +152,15 @@ void OverlayGraph::link_ring(std::span<const std::uint32_t> ring) {
   }
 }
 
-void OverlayGraph::link_facets_of_p() {
+void OverlayGraph::link_facets(const Polytope& polytope, std::span<const std::uint32_t> darts) {
   std::vector<std::uint32_t> ring;
-  for (std::uint32_t f = 0; f < p_.facet_count(); ++f) {
+  for (std::uint32_t f = 0; f < polytope.facet_count(); ++f) {
     ring.clear();
-    std::uint32_t h = p_.first_halfedge(f);
+    std::uint32_t h = polytope.first_halfedge(f);
     do {
-      ring.push_back(p_darts_[h]);
-      h = p_.halfedges()[h].next;
-    } while (h != p_.first_halfedge(f));
-    link_ring(ring);
-  }
-}
-
-void OverlayGraph::link_facets_of_q() {
-  std::vector<std::uint32_t> ring;
-  for (std::uint32_t f = 0; f < q_.facet_count(); ++f) {
-    ring.clear();
-    std::uint32_t h = q_.first_halfedge(f);
-    do {
-      ring.push_back(q_darts_[h]);
-      h = q_.halfedges()[h].next;
-    } while (h != q_.first_halfedge(f));
+      ring.push_back(darts[h]);
+      h = polytope.halfedges()[h].next;
+    } while (h != polytope.first_halfedge(f));
     link_ring(ring);
   }
 }

@@ -16,20 +16,14 @@
 #include "quoin/base/error.h"
 #include "quoin/base/test_rounds.h"
 #include "quoin/polytope/hull.h"
+#include "quoin/polytope/test_polytopes.h"
 
 namespace quoin {
 namespace {
 
-using Random = std::mt19937_64;
-using Points = std::vector<Point3>;
+using namespace test_polytopes;
 using Corner = std::array<double, 3>;
 using Facets = std::set<std::vector<Corner>>;
-
-const Context one_thread({.threads = 1});
-
-int below(Random& random, int end) {
-  return static_cast<int>(random() % static_cast<std::uint64_t>(end));
-}
 
 /// From the smallest corner on.
 std::vector<Corner> rotated(std::vector<Corner> facet) {
@@ -114,14 +108,7 @@ TEST(MinkowskiSum, OfRandomPolytopesOnSmallGrids) {
   std::size_t flat = 0;
   for (std::uint64_t seed = 0; seed < test_rounds(4000U); ++seed) {
     Random random(seed);
-    const auto draw = [&] {
-      const int size = 2 + below(random, 5);
-      Points points;
-      for (int i = 4 + below(random, 8); i > 0; --i) {
-        points.push_back({double(below(random, size)), double(below(random, size)), double(below(random, size))});
-      }
-      return points;
-    };
+    const auto draw = [&] { return on_a_small_grid(random, 4, 8); };
     const Points a = draw();
     Points b = seed % 7 == 0 ? a : seed % 7 == 1 ? scaled(a, -1) : seed % 7 == 2 ? scaled(a, 2) : draw();
     if (seed % 2 == 0) std::shuffle(b.begin(), b.end(), random);  // maps may be equal, and numbers not

@@ -16,19 +16,13 @@
 #include "quoin/base/test_rounds.h"
 #include "quoin/polytope/convex_boundary.h"
 #include "quoin/polytope/hull.h"
+#include "quoin/polytope/test_polytopes.h"
 #include "quoin/solid/query/interference.h"
 
 namespace quoin {
 namespace {
 
-using Random = std::mt19937_64;
-using Points = std::vector<Point3>;
-
-const Context one_thread({.threads = 1});
-
-int below(Random& random, int end) {
-  return static_cast<int>(random() % static_cast<std::uint64_t>(end));
-}
+using namespace test_polytopes;
 
 RationalPoint3 exact(const Point3& p) {
   return {Rational(p.x), Rational(p.y), Rational(p.z)};
@@ -131,16 +125,9 @@ TEST(PolytopeDistance, OfRandomPolytopesOnSmallGrids) {
   std::array<int, 3> seen{};
   for (std::uint64_t seed = 0; seed < test_rounds(1500U); ++seed) {
     Random random(seed);
-    const auto draw = [&] {
-      const int size = 2 + below(random, 5);
-      Points points;
-      for (int i = 4 + below(random, 6); i > 0; --i) {
-        points.push_back({double(below(random, size)), double(below(random, size)), double(below(random, size))});
-      }
-      return points;
-    };
-    const Points a = draw();
-    const Points b = moved(draw(), below(random, 7) - 3, below(random, 7) - 3, below(random, 7) - 3);
+    const Points a = on_a_small_grid(random, 4, 6);
+    const Points b =
+        moved(on_a_small_grid(random, 4, 6), below(random, 7) - 3, below(random, 7) - 3, below(random, 7) - 3);
     if (convex_hull(a, one_thread).dimension < 3 || convex_hull(b, one_thread).dimension < 3) continue;
     SCOPED_TRACE("seed " + std::to_string(seed));
     ++seen.at(static_cast<std::size_t>(check_distance(a, b).relation));
