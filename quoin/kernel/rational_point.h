@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "quoin/kernel/point.h"
 #include "quoin/number/rational.h"
 
 namespace quoin {
@@ -20,6 +21,10 @@ struct RationalPoint3 {
   const Rational& operator[](unsigned axis) const { return axis == 0 ? x : axis == 1 ? y : z; }
   friend bool operator==(const RationalPoint3&, const RationalPoint3&) = default;
 };
+
+inline RationalPoint3 exact_point(const Point3& p) {
+  return {Rational(p.x), Rational(p.y), Rational(p.z)};
+}
 
 inline RationalPoint3 operator+(const RationalPoint3& a, const RationalPoint3& b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z};

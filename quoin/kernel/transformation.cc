@@ -92,7 +92,7 @@ RationalPoint3 Transformation::operator()(const RationalPoint3& p) const {
 }
 
 RationalPoint3 Transformation::operator()(const Point3& p) const {
-  return (*this)(RationalPoint3{Rational(p.x), Rational(p.y), Rational(p.z)});
+  return (*this)(exact_point(p));
 }
 
 std::optional<Point3> Transformation::image_if_exact(const Point3& p) const {

@@ -2,6 +2,7 @@
 #include "quoin/polytope/edge_predicates.h"
 
 #include <array>
+#include <cmath>
 
 #include "quoin/kernel/call_grid.h"
 
@@ -29,18 +30,6 @@ auto on_grid(const EdgeVector& a, const EdgeVector& b, const EdgeVector& c, cons
 }
 
 }  // namespace
-
-RoundedNormal rounded_normal(const Vector3& u, const Vector3& w) {
-  const double yz = u.y * w.z;
-  const double zy = u.z * w.y;
-  const double zx = u.z * w.x;
-  const double xz = u.x * w.z;
-  const double xy = u.x * w.y;
-  const double yx = u.y * w.x;
-  return {{yz - zy, zx - xz, xy - yx},
-          std::fmax(std::fabs(yz) + std::fabs(zy),
-                    std::fmax(std::fabs(zx) + std::fabs(xz), std::fabs(xy) + std::fabs(yx)))};
-}
 
 Sign exact_determinant(const EdgeVector& a, const EdgeVector& b, const EdgeVector& c) {
   return on_grid(a, b, c, []<class N>(const Row<N>& p, const Row<N>& q, const Row<N>& r) {

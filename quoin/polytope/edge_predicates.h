@@ -19,13 +19,22 @@ inline Vector3 rounded(const EdgeVector& v) {
   return {v.to.x - v.from.x, v.to.y - v.from.y, v.to.z - v.from.z};
 }
 
-/// The normal u x w of a facet, by two of its edges, in doubles. `size` bounds the products in its components, each of
-/// which errs by less than 4.1 u times it.
+/// The normal u x w of a facet, by two of its rounded edges. `size` is the sum of all products in its components, which
+/// err by less than 4.1 u times it together.
 struct RoundedNormal {
   Vector3 vector;
   double size = 0;
 };
-RoundedNormal rounded_normal(const Vector3& u, const Vector3& w);
+inline RoundedNormal rounded_normal(const Vector3& u, const Vector3& w) {
+  const double yz = u.y * w.z;
+  const double zy = u.z * w.y;
+  const double zx = u.z * w.x;
+  const double xz = u.x * w.z;
+  const double xy = u.x * w.y;
+  const double yx = u.y * w.x;
+  return {{yz - zy, zx - xz, xy - yx},
+          std::fabs(yz) + std::fabs(zy) + std::fabs(zx) + std::fabs(xz) + std::fabs(xy) + std::fabs(yx)};
+}
 
 /// Sign of det(a, b, c) for rounded vectors; of what they do not decide, `exact()`.
 ///

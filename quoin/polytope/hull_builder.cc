@@ -8,16 +8,13 @@
 
 #include "quoin/kernel/predicates3.h"
 #include "quoin/kernel/rational_point.h"
+#include "quoin/polytope/edge_predicates.h"
 
 namespace quoin {
 
 namespace {
 
 constexpr double u = 0x1p-53;
-
-RationalPoint3 exact_point(const Point3& p) {
-  return {Rational(p.x), Rational(p.y), Rational(p.z)};
-}
 
 Sign orientation_of(const RationalPoint3& a, const RationalPoint3& b, const RationalPoint3& c,
                     const RationalPoint3& d) {
@@ -59,8 +56,8 @@ void HullBuilder::find_centre() {
 
 /// With M the largest coordinate, n = (b - a) x (c - a) and P the sum of the magnitudes of its products: n errs by
 /// 4 u P, which tells by 8 u M P over a distance of 2 M; the offset n.a by 3 u M P, the evaluation by 8 u M P.
-/// Twenty-four pay for the rest, and 2^-120 for what may fall below the range of doubles. Infinite or no number:
-/// decides nothing.
+/// Twenty-four pay for the rest. What falls below the range of doubles is less than 2^-1070 in n, which 2^-1060 M pays
+/// for, and 2^-120 in the evaluation. Infinite or no number: decides nothing.
 std::uint32_t HullBuilder::new_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
   std::uint32_t triangle;
   if (free_.empty()) {
@@ -74,23 +71,11 @@ std::uint32_t HullBuilder::new_triangle(std::uint32_t a, std::uint32_t b, std::u
   const Point3& p = points_[a];
   const Point3& q = points_[b];
   const Point3& r = points_[c];
-  const Vector3 v{q.x - p.x, q.y - p.y, q.z - p.z};
-  const Vector3 w{r.x - p.x, r.y - p.y, r.z - p.z};
-  const double yz = v.y * w.z;
-  const double zy = v.z * w.y;
-  const double zx = v.z * w.x;
-  const double xz = v.x * w.z;
-  const double xy = v.x * w.y;
-  const double yx = v.y * w.x;
-  Plane& plane = planes_[triangle];
-  plane.x = yz - zy;
-  plane.y = zx - xz;
-  plane.z = xy - yx;
-  plane.offset = plane.x * p.x + plane.y * p.y + plane.z * p.z;
-  const double products = std::fabs(yz) + std::fabs(zy) + std::fabs(zx) + std::fabs(xz) + std::fabs(xy) + std::fabs(yx);
+  const auto& [n, products] = rounded_normal(rounded({p, q}), rounded({p, r}));
+  planes_[triangle] = {n.x, n.y, n.z, n.x * p.x + n.y * p.y + n.z * p.z};
   Triangle& t = triangles_[triangle];
   t.corners = {a, b, c};
-  const double slack = (24 * u * (1 + 0x1p-20)) * largest_ * products + 0x1p-120;
+  const double slack = (24 * u * (1 + 0x1p-20)) * largest_ * products + 0x1p-1060 * largest_ + 0x1p-120;
   constexpr double most = std::numeric_limits<float>::max();
   t.slack = slack < most ? static_cast<float>(slack) : std::numeric_limits<float>::infinity();
   return triangle;

@@ -17,6 +17,7 @@
 #include "quoin/base/test_rounds.h"
 #include "quoin/kernel/predicates2.h"
 #include "quoin/kernel/predicates3.h"
+#include "quoin/polytope/hull_builder.h"
 #include "quoin/polytope/test_polytopes.h"
 
 namespace quoin {
@@ -249,6 +250,40 @@ TEST(ConvexHull, AtTheEndsOfTheRangeOfDoubles) {
   EXPECT_EQ(counts({{most, 0, 0}, {-most, 0, 0}, {0, most, 0}, {0, -most, 0}, {0, 0, most}, {0, 0, -most}, {0, 0, 0}}),
             (Counts{6, 12, 8}));
   EXPECT_EQ(counts({{1e300, 0, 0}, {0, 1, 0}, {0, 0, 1e-300}, {0, 0, 0}}), (Counts{4, 6, 4}));
+}
+
+// Of a tiny triangle, what its normal loses below the range of doubles is large at points far away.
+TEST(ConvexHull, TinyTrianglesSeeHugePointsRightly) {
+  for (std::uint64_t seed = 0; seed < test_rounds(100U); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const auto draw = [&] {
+      const double x = below(random, 1 << 20) - (1 << 19);
+      const double y = below(random, 1 << 20) - (1 << 19);
+      return Point3{x, y, double(below(random, 1 << 20) - (1 << 19))};
+    };
+    const auto scaled = [](const Point3& p, int exponent) {
+      return Point3{std::ldexp(p.x, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent)};
+    };
+    const Point3 v = draw();
+    const Point3 w = draw();
+    Points points{{0, 0, 0}, scaled(v, -545), scaled(w, -545), scaled(draw(), -545)};
+    if (orientation(points[0], points[1], points[2], points[3]) == Sign::zero) continue;
+    // In the plane of the first three, or a little off it.
+    for (int i = 0; i < 8; ++i) {
+      const int a = below(random, 99) - 49;
+      const int b = below(random, 99) - 49;
+      points.push_back(scaled({a * v.x + b * w.x, a * v.y + b * w.y, a * v.z + b * w.z + i % 3 - 1}, 960));
+    }
+    const HullBuilder builder(points);
+    for (std::uint32_t t = 0; t < builder.triangles().size(); ++t) {
+      const auto& [a, b, c] = builder.triangles()[t].corners;
+      for (const Point3& p : points) {
+        ASSERT_EQ(builder.side(t, p), orientation(points[a], points[b], points[c], p));
+      }
+    }
+    ASSERT_NO_FATAL_FAILURE(check(points));
+  }
 }
 
 // The hull is a set: the order of the points, and how they are scaled, say nothing.

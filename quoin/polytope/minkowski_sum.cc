@@ -341,7 +341,8 @@ PolytopeSum sum_of_equal_maps(const Polytope& p) {
 }  // namespace
 
 PolytopeSum minkowski_sum(const Polytope& p, const Polytope& q, const Context& context) {
-  if (p.dimension() < 3 && q.dimension() < 3) throw InputError("Minkowski sum: both polytopes are flat");
+  if (p.dimension() < 3 && q.dimension() < 3)
+    throw InputError("both polytopes are flat: sums of such are not made yet");
   if (have_equal_maps(p, q)) return sum_of_equal_maps(p);
   return OverlayGraph(p, q, context).sum();
 }

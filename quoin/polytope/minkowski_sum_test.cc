@@ -195,7 +195,7 @@ TEST(MinkowskiSum, SupportFunctionsAdd) {
     };
     const auto rationals = [](const Points& points) {
       std::vector<RationalPoint3> result;
-      for (const Point3& point : points) result.push_back({Rational(point.x), Rational(point.y), Rational(point.z)});
+      for (const Point3& point : points) result.push_back(exact_point(point));
       return result;
     };
     EXPECT_EQ(reach(vertices), reach(rationals(a)) + reach(rationals(b)));

@@ -26,10 +26,6 @@ Exact as_vector(const RationalPoint3& p) {
 RationalPoint3 as_point(const Exact& v) {
   return {v[0], v[1], v[2]};
 }
-RationalPoint3 exact_point(const Point3& p) {
-  return {Rational(p.x), Rational(p.y), Rational(p.z)};
-}
-
 Polytope reflected(const Polytope& p, const Context& context) {
   std::vector<Point3> points;
   for (std::uint32_t v = 0; v < p.vertex_count(); ++v) {
@@ -43,7 +39,7 @@ Polytope reflected(const Polytope& p, const Context& context) {
 class DifferenceBody {
  public:
   DifferenceBody(const Polytope& a, const Polytope& b, const Context& context)
-      : a_(a), b_(reflected(b, context)), sum_(minkowski_sum(a_, b_, context)), context_(context) {}
+      : a_(a), b_(reflected(b, context)), sum_(minkowski_sum(a_, b_, context)) {}
 
   std::size_t facet_count() const { return sum_.facet_count(); }
   std::size_t vertex_count() const { return sum_.vertices.size(); }
@@ -103,18 +99,22 @@ class DifferenceBody {
     return height * height / closest::dot(n, n);
   }
   /// No vertex is beyond the plane through the point that stands on it.
-  bool supports(const Exact& point) const {
+  bool supports(const Exact& point, const Context& context) const {
     const Rounded x{point[0].to_double(), point[1].to_double(), point[2].to_double()};
     for (std::uint32_t v = 0; v < sum_.vertices.size(); ++v) {
-      if (v % 256 == 0) context_.poll();
+      if (v % 256 == 0) context.poll();
       const Rounded y = approximate(v);
       double value = 0;
       double size = 0;
+      double below_range = 0;
       for (std::size_t axis = 0; axis < 3; ++axis) {
         value += x[axis] * (y[axis] - x[axis]);
-        size += std::fabs(x[axis]) * (std::fabs(y[axis]) + std::fabs(x[axis]));
+        const double reach = std::fabs(y[axis]) + std::fabs(x[axis]);
+        size += std::fabs(x[axis]) * reach;
+        below_range += 0x1p-1070 * reach + 0x1p-1070;
       }
-      if (value > 16 * 0x1p-53 * size + 0x1p-1000) continue;
+      // Five roundings of each term; x may lose bits below the range of doubles, and so may products.
+      if (value > 16 * 0x1p-53 * size + below_range) continue;
       if (closest::dot(point, closest::difference(exact(v), point)).sign() == Sign::negative) return false;
     }
     return true;
@@ -136,7 +136,6 @@ class DifferenceBody {
   const Polytope& a_;
   Polytope b_;
   PolytopeSum sum_;
-  const Context& context_;
   mutable std::vector<Rounded> polygon_;  // scratch
 };
 
@@ -154,16 +153,18 @@ void set_witness(PolytopeDistance& result, const DifferenceBody& body, std::size
 
 /// The facet plane nearest to the origin: exactly among those whose enclosed distances reach down to the least upper
 /// end.
-std::pair<std::size_t, Rational> nearest_plane(const DifferenceBody& body) {
+std::pair<std::size_t, Rational> nearest_plane(const DifferenceBody& body, const Context& context) {
   std::vector<Interval> depths;
   double reach = std::numeric_limits<double>::infinity();
   for (std::size_t f = 0; f < body.facet_count(); ++f) {
+    if (f % 256 == 0) context.poll();
     depths.push_back(body.enclosed_squared_depth(f));
     reach = std::min(reach, depths.back().upper());
   }
   std::optional<std::pair<std::size_t, Rational>> best;
   for (std::size_t f = 0; f < depths.size(); ++f) {
     if (depths[f].lower() > reach) continue;
+    context.poll();
     Rational depth = body.exact_squared_depth(f);
     if (!best || depth < best->second) best.emplace(f, std::move(depth));
   }
@@ -173,7 +174,8 @@ std::pair<std::size_t, Rational> nearest_plane(const DifferenceBody& body) {
 /// Of facets that the origin is outside of, or in the plane of. The one that seems nearest is, if the plane that stands
 /// on its nearest point supports the body; else all are compared exactly.
 std::pair<std::size_t, ClosestPoint<Rational>> nearest_facet(const DifferenceBody& body,
-                                                             std::span<const std::size_t> facets) {
+                                                             std::span<const std::size_t> facets,
+                                                             const Context& context) {
   std::size_t best = facets[0];
   double least = std::numeric_limits<double>::infinity();
   for (const std::size_t f : facets) {
@@ -184,8 +186,9 @@ std::pair<std::size_t, ClosestPoint<Rational>> nearest_facet(const DifferenceBod
     }
   }
   ClosestPoint<Rational> point = body.exact_closest(best);
-  if (body.supports(point.point)) return {best, std::move(point)};
+  if (body.supports(point.point, context)) return {best, std::move(point)};
   for (const std::size_t f : facets) {
+    context.poll();
     ClosestPoint<Rational> other = body.exact_closest(f);
     if (!(other.squared_length < point.squared_length)) continue;
     best = f;
@@ -194,8 +197,8 @@ std::pair<std::size_t, ClosestPoint<Rational>> nearest_facet(const DifferenceBod
   return {best, std::move(point)};
 }
 
-void set_penetration(PolytopeDistance& result, const DifferenceBody& body) {
-  auto [f, depth] = nearest_plane(body);
+void set_penetration(PolytopeDistance& result, const DifferenceBody& body, const Context& context) {
+  auto [f, depth] = nearest_plane(body, context);
   const Exact n = body.exact_normal(f);
   const Rational scale = closest::dot(n, body.exact(body.facet(f)[0])) / closest::dot(n, n);
   // The foot of the origin on the nearest facet plane lies in the facet.
@@ -220,11 +223,11 @@ PolytopeDistance polytope_distance(const Polytope& a, const Polytope& b, const C
   }
   if (outer.empty() && through.empty()) {
     result.relation = Proximity::overlapping;
-    set_penetration(result, body);
+    set_penetration(result, body, context);
     return result;
   }
   result.relation = outer.empty() ? Proximity::touching : Proximity::apart;
-  const auto [f, point] = nearest_facet(body, outer.empty() ? through : outer);
+  const auto [f, point] = nearest_facet(body, outer.empty() ? through : outer, context);
   set_witness(result, body, f, point);
   result.squared_distance = point.squared_length;
   return result;
@@ -249,7 +252,7 @@ PolytopeWidth polytope_width(const Polytope& p, const Context& context) {
     return result;
   }
   const DifferenceBody body(p, p, context);
-  auto [f, depth] = nearest_plane(body);
+  auto [f, depth] = nearest_plane(body, context);
   result.squared_width = std::move(depth);
   result.direction = as_point(body.exact_normal(f));
   for (const std::uint32_t v : body.facet(f)) {

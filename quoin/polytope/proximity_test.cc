@@ -24,10 +24,6 @@ namespace {
 
 using namespace test_polytopes;
 
-RationalPoint3 exact(const Point3& p) {
-  return {Rational(p.x), Rational(p.y), Rational(p.z)};
-}
-
 Points moved(Points points, double x, double y, double z) {
   for (Point3& p : points) p = {p.x + x, p.y + y, p.z + z};
   return points;
@@ -37,8 +33,8 @@ bool holds(const Points& points, const RationalPoint3& p) {
   const ConvexHull hull = convex_hull(points, one_thread);
   for (std::size_t f = 0; f < hull.facet_count(); ++f) {
     const auto facet = hull.facet(f);
-    const RationalPoint3 origin = exact(points[facet[0]]);
-    const RationalPoint3 normal = cross(exact(points[facet[1]]) - origin, exact(points[facet[2]]) - origin);
+    const RationalPoint3 origin = exact_point(points[facet[0]]);
+    const RationalPoint3 normal = cross(exact_point(points[facet[1]]) - origin, exact_point(points[facet[2]]) - origin);
     if (dot(normal, p - origin).sign() == Sign::positive) return false;
   }
   return true;
@@ -54,8 +50,9 @@ Rational depth_by_hull(const Points& a, const Points& b) {
   Rational least(1e300);
   for (std::size_t f = 0; f < hull.facet_count(); ++f) {
     const auto facet = hull.facet(f);
-    const RationalPoint3 origin = exact(differences[facet[0]]);
-    const RationalPoint3 normal = cross(exact(differences[facet[1]]) - origin, exact(differences[facet[2]]) - origin);
+    const RationalPoint3 origin = exact_point(differences[facet[0]]);
+    const RationalPoint3 normal =
+        cross(exact_point(differences[facet[1]]) - origin, exact_point(differences[facet[2]]) - origin);
     const Rational height = dot(normal, origin);
     least = std::min(least, height * height / dot(normal, normal));
   }
@@ -100,8 +97,8 @@ PolytopeDistance check_distance(const Points& a, const Points& b) {
   EXPECT_EQ(dot(between, between), d.squared_distance);
   EXPECT_EQ(d.squared_distance.sign() == Sign::positive, d.relation == Proximity::apart);
   // Nothing of either comes nearer than the planes through the witnesses.
-  for (const Point3& p : a) EXPECT_NE(dot(between, exact(p) - d.witness[0]).sign(), Sign::negative);
-  for (const Point3& p : b) EXPECT_NE(dot(between, exact(p) - d.witness[1]).sign(), Sign::positive);
+  for (const Point3& p : a) EXPECT_NE(dot(between, exact_point(p) - d.witness[0]).sign(), Sign::negative);
+  for (const Point3& p : b) EXPECT_NE(dot(between, exact_point(p) - d.witness[1]).sign(), Sign::positive);
   return d;
 }
 
@@ -162,11 +159,11 @@ TEST(PolytopeWidth, OfSolidsThatAreKnown) {
     EXPECT_EQ(w.squared_width, depth_by_hull(points, points));
     // All points lie between the two planes, those of the faces in them.
     const Polytope p = Polytope::hull_of(points, one_thread);
-    const RationalPoint3 high = exact(p.vertex(w.faces[0].at(0)));
-    const RationalPoint3 low = exact(p.vertex(w.faces[1].at(0)));
+    const RationalPoint3 high = exact_point(p.vertex(w.faces[0].at(0)));
+    const RationalPoint3 low = exact_point(p.vertex(w.faces[1].at(0)));
     for (std::uint32_t v = 0; v < p.vertex_count(); ++v) {
-      const Sign above = dot(w.direction, exact(p.vertex(v)) - high).sign();
-      const Sign over = dot(w.direction, exact(p.vertex(v)) - low).sign();
+      const Sign above = dot(w.direction, exact_point(p.vertex(v)) - high).sign();
+      const Sign over = dot(w.direction, exact_point(p.vertex(v)) - low).sign();
       EXPECT_NE(above, Sign::positive);
       EXPECT_NE(over, Sign::negative);
       EXPECT_EQ(above == Sign::zero, std::ranges::count(w.faces[0], v) == 1);
@@ -195,14 +192,14 @@ TEST(PolytopeDiameter, AgreesWithAllPairs) {
     Rational most(0);
     for (const Point3& a : points) {
       for (const Point3& b : points) {
-        const RationalPoint3 d = exact(a) - exact(b);
+        const RationalPoint3 d = exact_point(a) - exact_point(b);
         most = std::max(most, dot(d, d));
       }
     }
     const Polytope p = Polytope::hull_of(points, one_thread);
     const PolytopeDiameter diameter = polytope_diameter(p, one_thread);
     EXPECT_EQ(diameter.squared_diameter, most);
-    const RationalPoint3 d = exact(p.vertex(diameter.vertices[0])) - exact(p.vertex(diameter.vertices[1]));
+    const RationalPoint3 d = exact_point(p.vertex(diameter.vertices[0])) - exact_point(p.vertex(diameter.vertices[1]));
     EXPECT_EQ(dot(d, d), most);
   };
   check(cube);

@@ -30,10 +30,6 @@ Rational two_to(int exponent) {
   return exponent < 0 ? Rational(Integer(1), power) : Rational(power);
 }
 
-RationalPoint3 exact(const Point3& p) {
-  return {Rational(p.x), Rational(p.y), Rational(p.z)};
-}
-
 // Signed volume of a tetrahedron and its first moments.
 struct SlowVolume {
   Rational volume;
@@ -308,7 +304,7 @@ TEST(Measure, BoxesHaveTheProductOfTheirSides) {
       corners = times_two_to(corners, exponent);
       const Solid box = solid(shapes::box(corners[0], corners[1]));
       ASSERT_EQ(box.boundary().points.grid_class(), grid_class);
-      const RationalPoint3 sides = exact(corners[1]) - exact(corners[0]);
+      const RationalPoint3 sides = exact_point(corners[1]) - exact_point(corners[0]);
       EXPECT_EQ(expect_measures(box.boundary()), sides.x * sides.y * sides.z);
     }
   }

@@ -15,14 +15,11 @@ namespace {
 
 using Triangle = std::array<Point3, 3>;
 
-RationalPoint3 exact(const Point3& p) {
-  return {Rational(p.x), Rational(p.y), Rational(p.z)};
-}
 struct Exact {
   std::array<RationalPoint3, 3> p;
   RationalPoint3 normal;
   explicit Exact(const Triangle& t)
-      : p{exact(t[0]), exact(t[1]), exact(t[2])}, normal(cross((p[1] - p[0]), (p[2] - p[0]))) {}
+      : p{exact_point(t[0]), exact_point(t[1]), exact_point(t[2])}, normal(cross((p[1] - p[0]), (p[2] - p[0]))) {}
   bool contains(const RationalPoint3& q) const {  // closed; q anywhere
     if (dot(normal, (q - p[0])).sign() != Sign::zero) return false;
     for (std::size_t k = 0; k < 3; ++k) {

@@ -115,10 +115,6 @@ void merge_vertices(Scene& scene) {
   }
 }
 
-RationalPoint3 exact_point(const Point3& p) {
-  return {Rational(p.x), Rational(p.y), Rational(p.z)};
-}
-
 // Of leaves over rational points and others.
 Constructions rational_table(const Scene& scene) {
   std::vector<RationalPoint3> points;
