@@ -53,7 +53,7 @@ bool are_parallel(const EdgeVector& a, const EdgeVector& b) {
   const auto differs = [](double x, double y, double z, double w) {
     const double left = x * w;
     const double right = y * z;
-    return std::fabs(left - right) > 8 * 0x1p-53 * (std::fabs(left) + std::fabs(right)) + 0x1p-1060;
+    return std::fabs(left - right) > 8 * 0x1p-53 * (std::fabs(left) + std::fabs(right)) + 0x1p-1000;
   };
   if (differs(p.x, p.y, q.x, q.y) || differs(p.y, p.z, q.y, q.z) || differs(p.z, p.x, q.z, q.x)) return false;
   return on_grid(a, b, a, []<class N>(const Row<N>& r, const Row<N>& s, const Row<N>& /*same*/) {

@@ -52,7 +52,7 @@ Sign determinant(const Vector3& a, const Vector3& b, const Vector3& c, const Exa
   const double size = std::fabs(a.x) * (std::fabs(yz) + std::fabs(zy)) +
                       std::fabs(a.y) * (std::fabs(zx) + std::fabs(xz)) +
                       std::fabs(a.z) * (std::fabs(xy) + std::fabs(yx));
-  const double bound = 9 * 0x1p-53 * size + 0x1p-1060 * (std::fabs(a.x) + std::fabs(a.y) + std::fabs(a.z)) + 0x1p-1060;
+  const double bound = 9 * 0x1p-53 * size + 0x1p-1000 * (std::fabs(a.x) + std::fabs(a.y) + std::fabs(a.z)) + 0x1p-1000;
   if (value > bound) return Sign::positive;
   if (value < -bound) return Sign::negative;
   return exact();
@@ -63,7 +63,7 @@ template <class Exact>
 Sign side(const RoundedNormal& n, const Vector3& d, const Exact& exact) {
   const double value = n.vector.x * d.x + n.vector.y * d.y + n.vector.z * d.z;
   const double length = std::fabs(d.x) + std::fabs(d.y) + std::fabs(d.z);
-  const double bound = (9 * 0x1p-53 * n.size + 0x1p-1060) * length + 0x1p-1060;
+  const double bound = (9 * 0x1p-53 * n.size + 0x1p-1000) * length + 0x1p-1000;
   if (value > bound) return Sign::positive;
   if (value < -bound) return Sign::negative;
   return exact();

@@ -56,7 +56,7 @@ void HullBuilder::find_centre() {
 
 /// With M the largest coordinate, n = (b - a) x (c - a) and P the sum of the magnitudes of its products: n errs by
 /// 4 u P, which tells by 8 u M P over a distance of 2 M; the offset n.a by 3 u M P, the evaluation by 8 u M P.
-/// Twenty-four pay for the rest. What falls below the range of doubles is less than 2^-1070 in n, which 2^-1060 M pays
+/// Twenty-four pay for the rest. What falls below the range of doubles is less than 2^-1070 in n, which 2^-1000 M pays
 /// for, and 2^-120 in the evaluation. Infinite or no number: decides nothing.
 std::uint32_t HullBuilder::new_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
   std::uint32_t triangle;
@@ -75,7 +75,7 @@ std::uint32_t HullBuilder::new_triangle(std::uint32_t a, std::uint32_t b, std::u
   planes_[triangle] = {n.x, n.y, n.z, n.x * p.x + n.y * p.y + n.z * p.z};
   Triangle& t = triangles_[triangle];
   t.corners = {a, b, c};
-  const double slack = (24 * u * (1 + 0x1p-20)) * largest_ * products + 0x1p-1060 * largest_ + 0x1p-120;
+  const double slack = (24 * u * (1 + 0x1p-20)) * largest_ * products + 0x1p-1000 * largest_ + 0x1p-120;
   constexpr double most = std::numeric_limits<float>::max();
   t.slack = slack < most ? static_cast<float>(slack) : std::numeric_limits<float>::infinity();
   return triangle;

@@ -111,7 +111,7 @@ class DifferenceBody {
         value += x[axis] * (y[axis] - x[axis]);
         const double reach = std::fabs(y[axis]) + std::fabs(x[axis]);
         size += std::fabs(x[axis]) * reach;
-        below_range += 0x1p-1070 * reach + 0x1p-1070;
+        below_range += 0x1p-1000 * reach + 0x1p-1000;
       }
       // Five roundings of each term; x may lose bits below the range of doubles, and so may products.
       if (value > 16 * 0x1p-53 * size + below_range) continue;
