@@ -61,6 +61,12 @@ class Integer {
   friend Integer operator*(Integer a, const Integer& b) { return std::move(a *= b); }
   friend Integer operator<<(Integer a, std::size_t bits) { return std::move(a <<= bits); }
   friend Integer operator>>(Integer a, std::size_t bits) { return std::move(a >>= bits); }
+  /// a / b rounded down; b is not zero.
+  friend Integer floor_quotient(const Integer& a, const Integer& b) {
+    Integer result;
+    mpz_fdiv_q(result.value_, a.value_, b.value_);
+    return result;
+  }
   friend Integer abs(Integer a) {
     mpz_abs(a.value_, a.value_);
     return a;

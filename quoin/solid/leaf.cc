@@ -129,13 +129,20 @@ LeafResult finish(const std::shared_ptr<Leaf>& leaf, Constructions points, LeafR
 }  // namespace
 
 LeafResult make_leaf(const Mesh& mesh, const LeafOptions& options, const Context& context) {
+  return make_leaf(mesh, {}, options, context);
+}
+
+LeafResult make_leaf(const Mesh& mesh, std::vector<RationalPoint3> exact_vertices, const LeafOptions& options,
+                     const Context& context) {
   LeafResult result;
   if (note_not_finite(mesh.vertices, options.max_listed, result.diagnosis)) return result;
   auto leaf = std::make_shared<Leaf>();
   leaf->vertices = plain_zeros(mesh.vertices);
+  leaf->exact_vertices = std::move(exact_vertices);
   leaf->name = mesh.name;
   leaf->face_colors = mesh.face_colors;
-  Constructions points(leaf->vertices);
+  Constructions points = leaf->exact_vertices.empty() ? Constructions(leaf->vertices)
+                                                      : Constructions(leaf->exact_vertices);
   context.progress("faces", 0);
   MeshTiles tiles = make_tiles(mesh, points, options.max_listed, result.diagnosis, context);
   note_isolated_vertices(mesh, options.max_listed, result.diagnosis);

@@ -96,6 +96,10 @@ struct LeafResult {
 /// that the rest stays closed. O(n log n). @throws Cancelled through `context`.
 LeafResult make_leaf(const Mesh& mesh, const LeafOptions& options, const Context& context);
 
+/// The same of a mesh over rational points, of which its vertices are the nearest doubles.
+LeafResult make_leaf(const Mesh& mesh, std::vector<RationalPoint3> exact_vertices, const LeafOptions& options,
+                     const Context& context);
+
 /// The same of an exact boundary, over rational points: faces are triangulated exactly, and indices in the diagnosis
 /// are those of the boundary's faces and points. Of an unbounded set it is the leaf of the complement.
 ///

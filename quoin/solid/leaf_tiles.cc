@@ -156,7 +156,7 @@ class TileMaker {
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t a = sliver.tile[k];
         const std::uint32_t b = sliver.tile[(k + 1) % 3];
-        if (points_.rounded(PointId{a}) != points_.rounded(PointId{b})) continue;
+        if (!points_.equal(PointId{a}, PointId{b})) continue;
         vertices.unite(a, b);
         any = true;
       }
@@ -200,12 +200,11 @@ class TileMaker {
 
   std::size_t middle_corner(const Tile& t) const {
     for (std::size_t k = 0; k < 3; ++k) {
-      const Point3& a = points_.rounded(PointId{t[(k + 2) % 3]});
-      const Point3& b = points_.rounded(PointId{t[k]});
-      const Point3& c = points_.rounded(PointId{t[(k + 1) % 3]});
       bool between = true;
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        between = between && std::min(a[axis], c[axis]) <= b[axis] && b[axis] <= std::max(a[axis], c[axis]);
+      for (unsigned axis = 0; axis < 3; ++axis) {
+        const Sign before = points_.compare(PointId{t[(k + 2) % 3]}, PointId{t[k]}, axis);
+        const Sign after = points_.compare(PointId{t[k]}, PointId{t[(k + 1) % 3]}, axis);
+        between = between && before * after != Sign::negative;
       }
       if (between) return k;
     }

@@ -51,6 +51,19 @@ Solid Solid::from_leaf(std::shared_ptr<const Leaf> leaf, const Context& context)
   return result;
 }
 
+Solid Solid::from_boundary(Brep boundary, const std::string& name, const Context& context) {
+  Solid result;
+  if (boundary.face_count() == 0) {
+    if (boundary.is_unbounded) result.expression_ = Expression::complement(result.expression_);
+  } else {
+    LeafResult leaf = make_leaf(boundary, name, {.find_crossings = false}, context);
+    if (!leaf.leaf) throw InputError(name + ": the boundary bounds no solid");
+    result = boundary.is_unbounded ? of_complement(std::move(leaf.leaf)) : of_leaf(std::move(leaf.leaf));
+  }
+  result.boundary_ = std::make_shared<const Brep>(std::move(boundary));
+  return result;
+}
+
 Solid Solid::evaluate(const Expression& expression, std::span<const Solid> solids, const Context& context) {
   if (expression.leaf_count() > solids.size()) throw InputError("the expression names a solid that was not given");
   Solid result;

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "quoin/base/context.h"
@@ -24,6 +25,10 @@ class Solid {
 
   /// The points of positive winding number with respect to the leaf's tiles.
   static Solid from_leaf(std::shared_ptr<const Leaf> leaf, const Context& context);
+
+  /// The set that an exact boundary bounds, which keeps this boundary: of later operations it is the only input.
+  /// O(n log n). @throws InputError  it bounds no solid
+  static Solid from_boundary(Brep boundary, const std::string& name, const Context& context);
 
   /// An operand that is not evaluated by itself: its boundary is made with that of the expression it goes into, and
   /// asking for it before is an error.

@@ -2,11 +2,15 @@
 #include "quoin/solid/overlay/overlay.h"
 
 #include "quoin/solid/overlay/extraction.h"
+#include "quoin/solid/overlay/winding_cells.h"
 
 namespace quoin {
 
-Brep overlay_boundary(std::span<const std::shared_ptr<const Leaf>> leaves, const Expression& expression,
-                      const Context& context) {
+namespace {
+
+template <class Classify>
+Brep boundary_of_cells(std::span<const std::shared_ptr<const Leaf>> leaves, const Classify& classify,
+                       const Context& context) {
   using namespace overlay;
   Scene scene = make_scene(leaves, context);
   Network network = make_network(scene, context);
@@ -15,8 +19,26 @@ Brep overlay_boundary(std::span<const std::shared_ptr<const Leaf>> leaves, const
   const Sheets sheets{&scene, &network, &subdivision};
   const Fans fans = make_fans(sheets, scene, context);
   const CellComplex complex = make_cells(sheets, fans, context);
-  const CellTruth truth = classify_cells(sheets, complex, expression, context);
+  const CellTruth truth = classify(sheets, complex);
   return extract_boundary(sheets, fans, complex, truth, context);
+}
+
+}  // namespace
+
+Brep overlay_boundary(std::span<const std::shared_ptr<const Leaf>> leaves, const Expression& expression,
+                      const Context& context) {
+  const auto classify = [&](const overlay::Sheets& sheets, const overlay::CellComplex& complex) {
+    return overlay::classify_cells(sheets, complex, expression, context);
+  };
+  return boundary_of_cells(leaves, classify, context);
+}
+
+Brep winding_boundary(const std::shared_ptr<const Leaf>& leaf, const CellMembership& is_inside,
+                      const Context& context) {
+  const auto classify = [&](const overlay::Sheets& sheets, const overlay::CellComplex& complex) {
+    return overlay::classify_winding_cells(sheets, complex, is_inside, context);
+  };
+  return boundary_of_cells({&leaf, 1}, classify, context);
 }
 
 }  // namespace quoin
