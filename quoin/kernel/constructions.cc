@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -37,8 +38,24 @@ namespace {
 constexpr int plain_exponent = 330;
 
 template <class Numbers>
-ExactTable<Numbers> table_of_doubles(const std::vector<Point3>& points, int lo) {
-  return ExactTable<Numbers>(ExplicitPoints<Numbers>(points.data(), lo), points.size());
+ExactTable<Numbers> table_of_doubles(const std::vector<Point3>& points, std::vector<Point3> tails, int lo) {
+  return ExactTable<Numbers>(ExplicitPoints<Numbers>(points.data(), std::move(tails), lo), points.size());
+}
+
+/// What rounding to nearest cut off, if doubles hold that too.
+std::optional<std::vector<Point3>> tails_of(const std::vector<RationalPoint3>& points,
+                                            const std::vector<Point3>& rounded) {
+  std::vector<Point3> tails(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (unsigned axis = 0; axis < 3; ++axis) {
+      if (!std::isfinite(rounded[i][axis])) return std::nullopt;
+      const Rational rest = points[i][axis] - Rational(rounded[i][axis]);
+      if (rest.sign() == Sign::zero) continue;
+      tails[i][axis] = rest.to_double();
+      if (!std::isfinite(tails[i][axis]) || Rational(tails[i][axis]) != rest) return std::nullopt;
+    }
+  }
+  return tails;
 }
 
 constexpr unsigned next_axis(unsigned axis) {
@@ -68,42 +85,53 @@ void Constructions::set_extent(double largest) {
 }
 
 Constructions::Constructions(std::vector<Point3> explicit_points) : Constructions() {
-  const detail::Grid grid = detail::grid_of(explicit_points);
-  points_ = std::move(explicit_points);
+  set_doubles(std::move(explicit_points), {});
+}
+
+Constructions::Constructions(std::vector<RationalPoint3> explicit_points) : Constructions() {
+  std::vector<Point3> rounded;
+  rounded.reserve(explicit_points.size());
+  double largest = 0;
+  for (const RationalPoint3& p : explicit_points) {
+    rounded.push_back({p.x.to_double() + 0.0, p.y.to_double() + 0.0, p.z.to_double() + 0.0});
+    largest = std::max(largest, filter::max_abs(rounded.back()));
+  }
+  if (auto tails = tails_of(explicit_points, rounded)) {
+    if (std::all_of(tails->begin(), tails->end(), [](const Point3& t) { return t == Point3{}; })) tails->clear();
+    set_doubles(std::move(rounded), std::move(*tails));
+    return;
+  }
+  filter_kind_ = FilterKind::rounded;
+  grid_class_ = GridClass::rational;
+  explicit_count_ = explicit_points.size();
+  points_ = std::move(rounded);
+  set_extent(largest);
+  ExplicitPoints<detail::NumbersRational> points(std::move(explicit_points));
+  store_ = std::make_unique<Store>(Store{ExactTable<detail::NumbersRational>(std::move(points), explicit_count_)});
+}
+
+void Constructions::set_doubles(std::vector<Point3> points, std::vector<Point3> tails) {
+  const detail::Grid grid = detail::grid_of(points, tails);
+  points_ = std::move(points);
   explicit_count_ = points_.size();
   const bool plain = grid.lo >= -plain_exponent && grid.hi <= plain_exponent;
-  filter_kind_ = plain ? FilterKind::plain : FilterKind::any_range;
+  filter_kind_ = !tails.empty() ? FilterKind::rounded : plain ? FilterKind::plain : FilterKind::any_range;
   set_extent(grid.largest);
   grid_class_ = grid.grid_class;
   switch (grid.grid_class) {
     case GridClass::bits30:
-      store_ = std::make_unique<Store>(Store{table_of_doubles<detail::Numbers30>(points_, grid.lo)});
+      store_ = std::make_unique<Store>(Store{table_of_doubles<detail::Numbers30>(points_, std::move(tails), grid.lo)});
       break;
     case GridClass::bits61:
-      store_ = std::make_unique<Store>(Store{table_of_doubles<detail::Numbers61>(points_, grid.lo)});
+      store_ = std::make_unique<Store>(Store{table_of_doubles<detail::Numbers61>(points_, std::move(tails), grid.lo)});
       break;
     case GridClass::bits124:
-      store_ = std::make_unique<Store>(Store{table_of_doubles<detail::Numbers124>(points_, grid.lo)});
+      store_ = std::make_unique<Store>(Store{table_of_doubles<detail::Numbers124>(points_, std::move(tails), grid.lo)});
       break;
     default:
-      store_ = std::make_unique<Store>(Store{table_of_doubles<detail::NumbersBig>(points_, grid.lo)});
+      store_ = std::make_unique<Store>(Store{table_of_doubles<detail::NumbersBig>(points_, std::move(tails), grid.lo)});
       break;
   }
-}
-
-Constructions::Constructions(std::vector<RationalPoint3> explicit_points) : Constructions() {
-  filter_kind_ = FilterKind::rounded;
-  grid_class_ = GridClass::rational;
-  explicit_count_ = explicit_points.size();
-  points_.reserve(explicit_count_);
-  double largest = 0;
-  for (const RationalPoint3& p : explicit_points) {
-    points_.push_back({p.x.to_double() + 0.0, p.y.to_double() + 0.0, p.z.to_double() + 0.0});
-    largest = std::max(largest, filter::max_abs(points_.back()));
-  }
-  set_extent(largest);
-  ExplicitPoints<detail::NumbersRational> points(std::move(explicit_points));
-  store_ = std::make_unique<Store>(Store{ExactTable<detail::NumbersRational>(std::move(points), explicit_count_)});
 }
 
 void Constructions::resize_points(std::size_t count) {

@@ -50,8 +50,9 @@ class Constructions {
   /// Explicit points are finite doubles (-0 becomes +0). O(n), one pass to find the grid class.
   /// @throws InputError  names the first point that is not finite
   explicit Constructions(std::vector<Point3> explicit_points);
-  /// Explicit points are rationals (solids read from the exact text form); every predicate is then exact rational
-  /// arithmetic behind the same filters (with the bound for rounded points).
+  /// Explicit points are rationals (solids read from the exact text form, sums of points). Where all coordinates are
+  /// sums of two doubles, the nearest one and the rest, they have a grid class as doubles have; else every predicate is
+  /// exact rational arithmetic. The same filters go before (with the bound for rounded points where some are rounded).
   explicit Constructions(std::vector<RationalPoint3> explicit_points);
   Constructions(const Constructions&) = delete;
   Constructions& operator=(const Constructions&) = delete;
@@ -63,6 +64,8 @@ class Constructions {
   std::size_t point_count() const { return points_.size(); }
   std::size_t plane_count() const { return planes_.size(); }
   GridClass grid_class() const { return grid_class_; }
+  /// Whether the explicit points are doubles, so that their rounded coordinates are exact.
+  bool has_explicit_doubles() const { return filter_kind_ != FilterKind::rounded; }
 
   /// The new slots are unset. New points get ids from point_count() on.
   void resize_points(std::size_t count);
@@ -159,13 +162,14 @@ class Constructions {
   enum class FilterKind : std::uint8_t {
     plain,      // explicit coordinates zero or of magnitude within [2^-330, 2^330]: products of three stay normal
     any_range,  // explicit coordinates of any magnitude
-    rounded     // explicit points are rationals, their doubles rounded
+    rounded     // doubles of explicit points are rounded
   };
 
   Constructions();
   bool is_explicit(PointId point) const { return point.index() < explicit_count_; }
   bool has_exact_doubles(PointId point) const { return is_explicit(point) && filter_kind_ != FilterKind::rounded; }
   void set_extent(double largest);
+  void set_doubles(std::vector<Point3> points, std::vector<Point3> tails);
   // Counts the decision; 0 is none.
   bool is_decided(int sign) const {
     if (sign == 0) [[unlikely]]

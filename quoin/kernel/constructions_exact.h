@@ -76,27 +76,44 @@ using Numbers124 = FixedNumbers<124>;
 using NumbersBig = UnboundedNumbers<Integer>;
 using NumbersRational = UnboundedNumbers<Rational>;
 
-/// Explicit points given as doubles, multiples of 2^lo; kept by Constructions, read as integers.
+/// Explicit points given as doubles, or as sums of two of which the first is the nearest double; multiples of 2^lo.
+/// The (first) doubles are kept by Constructions; all are read as integers.
 template <class Numbers>
 class ExplicitPoints {
  public:
   using Coordinate = typename Numbers::Coordinate;
-  ExplicitPoints(const Point3* points, int lo)
+  /// `tails` are the second doubles; none if all are zero.
+  ExplicitPoints(const Point3* points, std::vector<Point3> tails, int lo)
       : points_(points),
+        tails_(std::move(tails)),
         lo_(lo),
         scale_first_(std::ldexp(1.0, -lo / 2)),
         scale_second_(std::ldexp(1.0, -lo - (-lo / 2))) {}
   void set_array(const Point3* points) { points_ = points; }
   int lo() const { return lo_; }
-  Coordinate coordinate(PointId point, unsigned axis) const;
+  Coordinate coordinate(PointId point, unsigned axis) const {
+    Coordinate result = in_units(points_[point.index()][axis]);
+    if (!tails_.empty()) result = result + in_units(tails_[point.index()][axis]);
+    return result;
+  }
   std::array<Coordinate, 3> operator[](PointId point) const {
     return {coordinate(point, 0), coordinate(point, 1), coordinate(point, 2)};
   }
+  bool is_double(PointId point) const { return tails_.empty() || tails_[point.index()] == Point3{}; }
   /// The chosen points, which `points` holds.
-  ExplicitPoints chosen(std::span<const PointId>, const Point3* points) const { return ExplicitPoints(points, lo_); }
+  ExplicitPoints chosen(std::span<const PointId> chosen, const Point3* points) const {
+    std::vector<Point3> tails;
+    if (!tails_.empty()) {
+      for (const PointId p : chosen) tails.push_back(tails_[p.index()]);
+    }
+    return ExplicitPoints(points, std::move(tails), lo_);
+  }
 
  private:
+  Coordinate in_units(double x) const;
+
   const Point3* points_;
+  std::vector<Point3> tails_;
   int lo_;
   double scale_first_;  // x 2^-lo = x * scale_first_ * scale_second_, neither product rounding
   double scale_second_;

@@ -49,8 +49,7 @@ inline Integer shifted(const Decoded& d, int lo) {
 }
 
 template <class N>
-typename N::Coordinate ExplicitPoints<N>::coordinate(PointId point, unsigned axis) const {
-  const double x = points_[point.index()][axis];
+typename N::Coordinate ExplicitPoints<N>::in_units(double x) const {
   if constexpr (std::is_same_v<Coordinate, Integer>) {
     return shifted(decode(x), lo_);
   } else {
@@ -444,7 +443,7 @@ bool ExactTable<N>::is_exact(PointId id, const Point3& rounded) const {
     const RationalPoint3 p = exact(id);
     return equals(rounded.x, p.x) && equals(rounded.y, p.y) && equals(rounded.z, p.z);
   } else {
-    if (is_explicit(id)) return true;
+    if (is_explicit(id)) return explicit_.is_double(id);
     const Point& p = constructed(id);
     return is_quotient(rounded.x, p.numerator[0], p.weight, explicit_.lo()) &&
            is_quotient(rounded.y, p.numerator[1], p.weight, explicit_.lo()) &&

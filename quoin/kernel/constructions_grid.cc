@@ -40,16 +40,22 @@ double largest_magnitude(std::vector<Point3>& points) {
 }  // namespace
 
 Grid grid_of(std::vector<Point3>& points) {
+  return grid_of(points, {});
+}
+
+Grid grid_of(std::vector<Point3>& points, const std::vector<Point3>& tails) {
   Grid grid;
   grid.largest = largest_magnitude(points);
   if (grid.largest == 0) return grid;
   grid.hi = std::ilogb(grid.largest) + 1;
   grid.lo = grid.hi;
-  for (const Point3& p : points) {
+  const auto lower_to = [&](const Point3& p) {
     for (const double x : {p.x, p.y, p.z}) {
       if (x != 0) grid.lo = std::min(grid.lo, lowest_bit(x));
     }
-  }
+  };
+  for (const Point3& p : points) lower_to(p);
+  for (const Point3& p : tails) lower_to(p);
   const int bits = grid.hi - grid.lo;
   grid.grid_class = bits <= 30    ? GridClass::bits30
                     : bits <= 61  ? GridClass::bits61

@@ -20,4 +20,7 @@ struct Grid {
 /// @throws InputError  names the first point that is not finite
 Grid grid_of(std::vector<Point3>& points);
 
+/// The grid of sums of two doubles, of which the second are `tails`.
+Grid grid_of(std::vector<Point3>& points, const std::vector<Point3>& tails);
+
 }  // namespace quoin::detail

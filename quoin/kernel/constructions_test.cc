@@ -253,6 +253,39 @@ TEST(Constructions, RationalPointsAgreeWithRationals) {
   }
 }
 
+/// Coordinates that are the sum of two doubles but no double: small integers, moved by multiples of a small power of
+/// two that leave many of them coplanar.
+TEST(Constructions, SumsOfTwoDoublesHaveTheGridClassOfTheirBits) {
+  struct Case {
+    int bits;
+    GridClass grid_class;
+  };
+  for (const Case& c : {Case{54, GridClass::bits61}, Case{110, GridClass::bits124}, Case{300, GridClass::big}}) {
+    for (std::uint64_t seed = 0; seed < 8; ++seed) {
+      Random random(700 + seed);
+      SCOPED_TRACE(std::to_string(c.bits) + " bits, seed " + std::to_string(seed));
+      const Rational step = Rational(Integer(1), Integer(1) << static_cast<std::size_t>(c.bits));
+      std::vector<RationalPoint3> points;
+      for (int i = 0; i < 12; ++i) {
+        Vector v;
+        for (Rational& x : v) {
+          x = Rational(static_cast<std::int64_t>(random() % 9) - 4) * (Rational(1) + step);
+          if (i > 5 && random() % 4 == 0) x += step;
+        }
+        points.push_back(point_of(v));
+      }
+      points.push_back(point_of({Rational(4) + step, Rational(0), Rational(0)}));
+      Model m(points);
+      ASSERT_EQ(m.table.grid_class(), c.grid_class);
+      ASSERT_FALSE(m.table.has_explicit_doubles());
+      ASSERT_NO_FATAL_FAILURE(check_table(m, random, 8));
+    }
+  }
+  const Constructions doubles(std::vector<RationalPoint3>{point_of({Rational(1), Rational(0.5), Rational(3)})});
+  EXPECT_TRUE(doubles.has_explicit_doubles());
+  EXPECT_EQ(doubles.grid_class(), GridClass::bits30);
+}
+
 /// The same point made in all ways: as given, on lines, of planes, as a weighted mean.
 TEST(Constructions, EqualPointsAreEqualHoweverTheyWereMade) {
   for (const int b : {4, 31, 62, 125}) {

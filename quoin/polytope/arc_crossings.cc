@@ -13,13 +13,14 @@ namespace quoin {
 
 namespace {
 
-/// A unit vector and the cosine and sine of an angle: a cap of the sphere that holds an arc.
+/// A unit vector and the cosine and sine of an angle below a right one: a cap of the sphere that holds an arc. The
+/// values here make one that is apart from none.
 struct Cap {
   double x = 0;
   double y = 0;
-  double z = 1;
-  double cosine = -1;
-  double sine = 0;
+  double z = 0;
+  double cosine = 0;
+  double sine = 1;
 };
 
 double length(const Vector3& v) {
@@ -34,7 +35,7 @@ std::optional<Vector3> unit_normal(const RoundedNormal& normal) {
 }
 
 /// The smallest cap about both normals, larger by 2^-10: far more than all roundings here. Normals that are nearly
-/// opposite, or not known well enough, give the whole sphere.
+/// opposite, or not known well enough, give none.
 Cap cap_of(const TiledSurface& surface, const TiledSurface::Edge& edge) {
   const auto m = unit_normal(surface.normal(TiledSurface::tile_of(edge.halfedge)));
   const auto n = unit_normal(surface.normal(TiledSurface::tile_of(edge.twin)));
@@ -53,7 +54,7 @@ std::vector<Cap> caps_of(const TiledSurface& surface) {
   return caps;
 }
 
-/// The angle between the centres is more than both radii together, which are below a right angle but for whole spheres.
+/// The angle between the centres is more than both radii together.
 bool are_apart(const Cap& a, const Cap& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z < a.cosine * b.cosine - a.sine * b.sine;
 }

@@ -19,6 +19,7 @@ DyadicCones::DyadicCones(const Brep& boundary, int lo, bool is_wide)
 std::optional<DyadicCones> DyadicCones::of(const Brep& boundary) {
   const Constructions& table = boundary.points;
   const bool is_wide = table.grid_class() == GridClass::bits124;
+  if (!table.has_explicit_doubles()) return std::nullopt;
   if (!is_wide && table.grid_class() != GridClass::bits30 && table.grid_class() != GridClass::bits61)
     return std::nullopt;
   double largest = 0;
