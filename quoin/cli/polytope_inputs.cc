@@ -3,7 +3,7 @@
 
 #include "quoin/base/error.h"
 #include "quoin/cli/inputs.h"
-#include "quoin/polytope/convex_boundary.h"
+#include "quoin/polytope/notches.h"
 
 namespace quoin::cli {
 
@@ -34,14 +34,15 @@ std::string text_of(const RationalPoint3& p) {
   return "(" + p.x.to_string() + ", " + p.y.to_string() + ", " + p.z.to_string() + ")";
 }
 
-void require_convex(const Brep& boundary, const std::string& name) {
+void require_convex(const Brep& boundary, const std::string& name, const Context& context) {
   if (boundary.component_count > 1 || boundary.shells.size() > 1) {
     throw InputError(shown(name) + ": not convex: its boundary has " + std::to_string(boundary.shells.size()) +
                      " parts");
   }
-  if (const auto edge = find_reflex_edge(boundary)) {
-    throw InputError(shown(name) + ": not convex at the edge from " + text_of(boundary.points.exact((*edge)[0])) +
-                     " to " + text_of(boundary.points.exact((*edge)[1])) +
+  const std::vector<Notch> notches = find_notches(boundary, context);
+  if (!notches.empty()) {
+    throw InputError(shown(name) + ": not convex at the edge from " + text_of(boundary.points.exact(notches[0].a)) +
+                     " to " + text_of(boundary.points.exact(notches[0].b)) +
                      "; only convex solids are taken here as yet");
   }
 }
@@ -61,9 +62,9 @@ std::vector<Point3> read_polytope(const std::string& name, const Options& option
   const LeafResult leaf = make_leaf(input, name, context);
   if (!leaf.leaf) throw InputError(refusal(name, "does not bound a solid", describe(input, leaf.diagnosis)));
   if (mesh == nullptr) {
-    require_convex(std::get<Brep>(input), name);
+    require_convex(std::get<Brep>(input), name, context);
   } else {
-    require_convex(Solid::from_leaf(leaf.leaf, context).boundary(), name);
+    require_convex(Solid::from_leaf(leaf.leaf, context).boundary(), name, context);
   }
   return vertices_of(input, name);
 }

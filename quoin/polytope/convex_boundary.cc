@@ -41,35 +41,6 @@ std::optional<std::vector<Point3>> as_doubles(const std::vector<RationalPoint3>&
   return result;
 }
 
-/// An edge as one face runs along it, with the face on its left.
-struct FaceSide {
-  std::uint32_t tail;
-  std::uint32_t head;
-  std::uint32_t face;
-};
-
-RationalPoint3 normal_of(const Brep& boundary, std::uint32_t face) {
-  const auto& [a, b, c] = boundary.face_planes[face];
-  const RationalPoint3 origin = boundary.points.exact(a);
-  return cross(boundary.points.exact(b) - origin, boundary.points.exact(c) - origin);
-}
-
-/// Whether a face leaves an edge to the outer side of another one's plane. Mostly no corner of it lies there at all.
-bool rises_above(const Brep& boundary, const FaceSide& side, std::uint32_t other) {
-  const Constructions& points = boundary.points;
-  const auto& [a, b, c] = boundary.face_planes[other];
-  bool has_corner_above = false;
-  for (std::uint32_t l = boundary.face_first_loop[side.face]; l < boundary.face_first_loop[side.face + 1]; ++l) {
-    for (const PointId corner : boundary.loop(l)) {
-      has_corner_above = has_corner_above || points.orientation_any(a, b, c, corner) == Sign::positive;
-    }
-  }
-  if (!has_corner_above) return false;
-  const RationalPoint3 along =
-      points.exact(PointId(std::size_t{side.head})) - points.exact(PointId(std::size_t{side.tail}));
-  return dot(normal_of(boundary, other), cross(normal_of(boundary, side.face), along)).sign() == Sign::positive;
-}
-
 }  // namespace
 
 Brep convex_boundary(const std::vector<RationalPoint3>& vertices, std::span<const std::uint32_t> corners,
@@ -96,32 +67,6 @@ Brep convex_boundary(const ConvexHull& hull, std::span<const Point3> points, con
   boundary.points = Constructions(std::move(vertices));
   add_facets(boundary, corners, hull.facet_begin, name);
   return boundary;
-}
-
-std::optional<std::array<PointId, 2>> find_reflex_edge(const Brep& boundary) {
-  std::vector<FaceSide> sides;
-  for (std::uint32_t f = 0; f < boundary.face_count(); ++f) {
-    for (std::uint32_t l = boundary.face_first_loop[f]; l < boundary.face_first_loop[f + 1]; ++l) {
-      const auto loop = boundary.loop(l);
-      for (std::size_t i = 0; i < loop.size(); ++i) {
-        sides.push_back({static_cast<std::uint32_t>(loop[i].index()),
-                         static_cast<std::uint32_t>(loop[(i + 1) % loop.size()].index()), f});
-      }
-    }
-  }
-  const auto ends = [](const FaceSide& s) { return std::minmax(s.tail, s.head); };
-  std::ranges::sort(sides, [&](const FaceSide& a, const FaceSide& b) {
-    return std::pair(ends(a), a.face) < std::pair(ends(b), b.face);
-  });
-  for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
-    if (ends(sides[i]) != ends(sides[i + 1])) continue;
-    // Where several faces meet, the solid is reflex between some of them.
-    const bool are_more = i + 2 < sides.size() && ends(sides[i + 2]) == ends(sides[i]);
-    if (are_more || rises_above(boundary, sides[i], sides[i + 1].face)) {
-      return std::array{PointId(std::size_t{sides[i].tail}), PointId(std::size_t{sides[i].head})};
-    }
-  }
-  return std::nullopt;
 }
 
 }  // namespace quoin

@@ -86,7 +86,8 @@ class Convolver {
     };
     walk_tiles(a_, start, cross, [&](std::uint32_t tile) {
       const Tile& t = a_.tiles()[tile];
-      for (const std::uint32_t v : critical.vertices()) mesh_.add({{{t[0], v}, {t[1], v}, {t[2], v}}}, critical.count(v));
+      for (const std::uint32_t v : critical.vertices())
+        mesh_.add({{{t[0], v}, {t[1], v}, {t[2], v}}}, critical.count(v));
     });
   }
 
@@ -115,7 +116,8 @@ class Convolver {
     };
     walk_tiles(b_, start, cross, [&](std::uint32_t tile) {
       const Tile& t = b_.tiles()[tile];
-      for (const std::uint32_t v : critical.vertices()) mesh_.add({{{v, t[0]}, {v, t[1]}, {v, t[2]}}}, critical.count(v));
+      for (const std::uint32_t v : critical.vertices())
+        mesh_.add({{{v, t[0]}, {v, t[1]}, {v, t[2]}}}, critical.count(v));
     });
   }
 

@@ -180,7 +180,8 @@ TEST(SolidSum, KeepsHolesThatTheOtherDoesNotFill) {
   const Solid cavity = box({-3, -3, -3}, {3, 3, 3}) - box({-2, -2, -2}, {2, 2, 2});
   const auto cube = [](double r) { return box({-r, -r, -r}, {r, r, r}); };
   EXPECT_EQ(volume_of(sum_of(cavity, cube(1))), Rational(512 - 8));
-  EXPECT_EQ(volume_of(sum_of(cavity, cube(2))), Rational(1000)) << "filled but for one point, which no regular set leaves";
+  EXPECT_EQ(volume_of(sum_of(cavity, cube(2))), Rational(1000))
+      << "filled but for one point, which no regular set leaves";
   EXPECT_EQ(volume_of(sum_of(frame(), cube(1))), Rational(8 * 8 * 4 - 2 * 2 * 4));
   EXPECT_EQ(sum_of(frame(), cube(1)).boundary().face_count(), 10U);
   // A shell inside a shell: sums of all pairs.

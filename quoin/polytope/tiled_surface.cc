@@ -55,7 +55,8 @@ Vector3 TiledSurface::rounded_vector(std::uint32_t from, std::uint32_t to) const
 /// Of edges with more than two tiles, those that run one way with those that run the other, in order of their numbers.
 std::vector<std::uint32_t> TiledSurface::paired_halfedges(const Leaf& leaf) const {
   std::vector<std::uint32_t> twins = leaf.twins;
-  using Entry = std::tuple<std::uint32_t, std::uint32_t, bool, std::uint32_t>;  // smaller, larger end, direction, number
+  using Entry =
+      std::tuple<std::uint32_t, std::uint32_t, bool, std::uint32_t>;  // smaller, larger end, direction, number
   std::vector<Entry> open;
   for (std::uint32_t h = 0; h < twins.size(); ++h) {
     if (twins[h] != Leaf::no_twin) continue;

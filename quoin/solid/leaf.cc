@@ -141,8 +141,8 @@ LeafResult make_leaf(const Mesh& mesh, std::vector<RationalPoint3> exact_vertice
   leaf->exact_vertices = std::move(exact_vertices);
   leaf->name = mesh.name;
   leaf->face_colors = mesh.face_colors;
-  Constructions points = leaf->exact_vertices.empty() ? Constructions(leaf->vertices)
-                                                      : Constructions(leaf->exact_vertices);
+  Constructions points =
+      leaf->exact_vertices.empty() ? Constructions(leaf->vertices) : Constructions(leaf->exact_vertices);
   context.progress("faces", 0);
   MeshTiles tiles = make_tiles(mesh, points, options.max_listed, result.diagnosis, context);
   note_isolated_vertices(mesh, options.max_listed, result.diagnosis);

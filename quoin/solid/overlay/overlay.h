@@ -29,7 +29,6 @@ using CellMembership = std::function<bool(int winding, const std::function<Ratio
 /// Boundary of the union of those cells of one leaf's tiles that `is_inside` accepts. It is asked once for each cell,
 /// also for the unbounded one, which must not be accepted, and more than once where no edges connect parts of a cell's
 /// boundary. Exact, complexity as overlay_boundary.
-Brep winding_boundary(const std::shared_ptr<const Leaf>& leaf, const CellMembership& is_inside,
-                      const Context& context);
+Brep winding_boundary(const std::shared_ptr<const Leaf>& leaf, const CellMembership& is_inside, const Context& context);
 
 }  // namespace quoin

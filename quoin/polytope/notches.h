@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "quoin/base/context.h"
+#include "quoin/solid/brep.h"
+
+namespace quoin {
+
+/// An edge of a boundary at which the solid is not convex.
+struct Notch {
+  PointId a;
+  PointId b;
+  std::vector<std::uint32_t> faces;  ///< those at the edge: two, or more where the solid touches itself
+};
+
+/// All of them. A connected solid without notches is convex. Exact, O(n log n).
+std::vector<Notch> find_notches(const Brep& boundary, const Context& context);
+
+}  // namespace quoin
