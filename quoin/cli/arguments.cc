@@ -177,6 +177,32 @@ void add_planar(CLI::App& app, Options& options) {
       ->check(finite_number(false));
 }
 
+void add_ball(CLI::App& command, Options& options, const std::string& inner) {
+  command.add_option("--ball", options.ball, "a ball of this radius instead of a second solid")
+      ->check(finite_number(false));
+  command
+      .add_option("--within", options.within,
+                  "how far off the polytope that stands for the ball may be (default: a "
+                  "hundredth of the radius)")
+      ->check(finite_number(false));
+  command.add_flag("--inner", options.inner, inner);
+}
+
+void add_solid_sums(CLI::App& app, Options& options) {
+  CLI::App* minkowski =
+      add_maker(app, options, "minkowski", "the sum of two solids, exactly: all sums of a point of each");
+  minkowski->add_option("files", options.inputs, "two meshes, .qsolid, or files of points, which mean their hull")
+      ->required()
+      ->expected(1, 2);
+  add_ball(*minkowski, options, "of --ball: what lies within the exact sum (default: what holds it)");
+  CLI::App* erode = add_maker(app, options, "erode", "where the second solid fits into the first, exactly");
+  erode->add_option("files", options.inputs, "two meshes, .qsolid, or files of points, which mean their hull")
+      ->required()
+      ->expected(1, 2);
+  add_ball(*erode, options, "of --ball: what lies within the exact erosion (default: what holds it)");
+  add_one_file(*add_maker(app, options, "decompose", "a solid as few convex pieces, a file for each"), options);
+}
+
 void add_commands(CLI::App& app, Options& options) {
   add_booleans(app, options);
   add_files(*add_command(app, options, "info", "what a solid is: volume, area, counts, bounds, centroid"), options);
@@ -186,10 +212,7 @@ void add_commands(CLI::App& app, Options& options) {
   add_one_file(*add_maker(app, options, "convert", "one format to another, faces merged where coplanar"), options);
   add_one_file(*add_maker(app, options, "view", "a page to look at a solid in the browser"), options);
   add_files(*add_maker(app, options, "hull", "the convex hull of the vertices of all files, exactly"), options);
-  add_maker(app, options, "minkowski", "the sum of two convex solids, exactly: all sums of a point of each")
-      ->add_option("files", options.inputs, "two convex meshes, .qsolid, or files of points, which mean their hull")
-      ->required()
-      ->expected(2);
+  add_solid_sums(app, options);
   CLI::App* map =
       add_command(app, options, "gaussian-map", "the directions in which each vertex of a convex solid is extreme");
   add_one_file(*map, options);

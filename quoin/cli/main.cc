@@ -48,7 +48,9 @@ int run(const Options& options) {
                                                {"section", run_section},
                                                {"interfere", run_interfere},
                                                {"hull", run_hull},
-                                               {"minkowski", run_polytope_sum},
+                                               {"minkowski", run_solid_sum},
+                                               {"erode", run_erosion},
+                                               {"decompose", run_decomposition},
                                                {"distance", run_distance},
                                                {"width", run_width},
                                                {"gaussian-map", run_gaussian_map}};

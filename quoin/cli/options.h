@@ -27,9 +27,11 @@ struct Options {
   std::string fill;                  ///< of `polygon`: how rings that cross are read; empty: they are refused
   std::string distance;              ///< of `polygon offset`: a number; below zero: an inset
   std::string precision;             ///< of `polygon offset`: how far the radius may be off; empty: 2^-20 of it
+  std::optional<double> ball;        ///< of `minkowski` and `erode`: a ball of this radius instead of a second solid
+  std::optional<double> within;      ///< of the same: how far a polytope may be from the ball; a hundredth of its radius
   std::optional<double> flatten;     ///< chords instead of arcs, no further than this from them
   bool plain = false;                ///< of `polygon`: edges and points without area stay
-  bool inner = false;                ///< of `polygon offset`: what lies within the exact offset is written
+  bool inner = false;                ///< of offsets: what lies within the exact one is written
   bool tight = false;                ///< of `polygon minkowski`: tight places too
   bool reflect = false;              ///< of `polygon minkowski`: the second set turned by half a turn
   bool labels = false;               ///< numbers in pictures

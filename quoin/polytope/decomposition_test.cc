@@ -91,8 +91,8 @@ TEST(ConvexDecomposition, OfComponentsAndOfSolidsThatTouchThemselves) {
   const Solid at_edge = box({0, 0, 0}, {1, 1, 1}) | box({1, 1, 0}, {2, 2, 1});
   EXPECT_EQ(checked(at_edge).pieces.size(), 2U);
   // A ring that closes at an edge.
-  const Solid ring = box({0, 0, 0}, {3, 1, 1}) | box({0, 0, 0}, {1, 3, 1}) | box({0, 2, 0}, {2, 3, 1}) |
-                     box({2, 0, 0}, {3, 2, 1});
+  const Solid ring =
+      box({0, 0, 0}, {3, 1, 1}) | box({0, 0, 0}, {1, 3, 1}) | box({0, 2, 0}, {2, 3, 1}) | box({2, 0, 0}, {3, 2, 1});
   EXPECT_EQ(checked(ring).pieces.size(), 4U);
   EXPECT_TRUE(convex_decomposition(Solid(), one_thread).pieces.empty());
   EXPECT_THROW(convex_decomposition(~apart, one_thread), InputError);

@@ -13,6 +13,7 @@
 #include "quoin/base/error.h"
 #include "quoin/polytope/convolution.h"
 #include "quoin/solid/overlay/overlay.h"
+#include "quoin/solid/placement.h"
 #include "quoin/solid/shapes.h"
 
 namespace quoin {
@@ -20,42 +21,6 @@ namespace quoin {
 namespace {
 
 using SharedLeaf = std::shared_ptr<const Leaf>;
-
-/// The boundary as one leaf of disjoint shells. @throws InputError  the set is unbounded
-SharedLeaf leaf_of_boundary(const Brep& boundary, const char* which, const Context& context) {
-  if (boundary.is_unbounded) throw InputError(std::string(which) + " is unbounded");
-  LeafOptions options;
-  options.find_crossings = false;
-  LeafResult result = make_leaf(boundary, which, options, context);
-  if (!result.leaf) throw InputError(std::string(which) + " bounds no solid");
-  return result.leaf;
-}
-
-SharedLeaf leaf_of_mesh(const Mesh& mesh, std::vector<RationalPoint3> exact, const Context& context) {
-  LeafOptions options;
-  options.find_crossings = false;
-  SharedLeaf result = make_leaf(mesh, std::move(exact), options, context).leaf;
-  if (!result) throw InputError("coordinates leave the range of doubles");
-  return result;
-}
-
-/// The set of t - b for all b of a surface, or of t + b where `sign` is 1.
-SharedLeaf placed(const Leaf& leaf, const RationalPoint3& t, int sign, const Context& context) {
-  Mesh mesh;
-  mesh.name = leaf.name;
-  std::vector<RationalPoint3> exact;
-  bool are_doubles = true;
-  for (std::uint32_t v = 0; v < leaf.vertices.size(); ++v) {
-    const RationalPoint3 b = leaf.exact_vertices.empty() ? exact_point(leaf.vertices[v]) : leaf.exact_vertices[v];
-    exact.push_back(sign > 0 ? t + b : t - b);
-    const RationalPoint3& p = exact.back();
-    mesh.vertices.push_back({p.x.to_double(), p.y.to_double(), p.z.to_double()});
-    are_doubles = are_doubles && exact_point(mesh.vertices.back()) == p;
-  }
-  for (const Tile& tile : leaf.tiles) mesh.add_face(sign > 0 ? tile : Tile{tile[0], tile[2], tile[1]});
-  if (are_doubles) exact.clear();
-  return leaf_of_mesh(mesh, std::move(exact), context);
-}
 
 /// Whether the insides of two surfaces meet.
 bool meet(const SharedLeaf& a, const SharedLeaf& b, const Context& context) {
@@ -86,6 +51,7 @@ RationalPoint3 vertex_of(const Leaf& leaf, std::uint32_t v) {
 /// `tool` reaches from the surface is inside the box too.
 SharedLeaf complement_in_box(const Leaf& leaf, const Leaf& tool, const Context& context) {
   Mesh mesh = shapes::triangulated(box_around(leaf, tool));
+  mesh.name = "the complement";
   std::vector<RationalPoint3> exact;
   for (const Point3& corner : mesh.vertices) exact.push_back(exact_point(corner));
   const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
@@ -93,7 +59,7 @@ SharedLeaf complement_in_box(const Leaf& leaf, const Leaf& tool, const Context& 
   for (const Tile& t : leaf.tiles) mesh.add_face(Tile{first + t[0], first + t[2], first + t[1]});
   if (leaf.exact_vertices.empty()) exact.clear();
   exact.insert(exact.end(), leaf.exact_vertices.begin(), leaf.exact_vertices.end());
-  return leaf_of_mesh(mesh, std::move(exact), context);
+  return plain_leaf(mesh, std::move(exact), context);
 }
 
 bool is_in_bounds(const RationalPoint3& p, const Leaf& leaf) {
@@ -114,10 +80,10 @@ SharedLeaf convolve(const SharedLeaf& a, const SharedLeaf& b, const Context& con
 
 Solid minkowski_sum(const Solid& a, const Solid& b, const Context& context) {
   if (a.is_empty() || b.is_empty()) return {};
-  const SharedLeaf first = leaf_of_boundary(a.boundary(), "the first operand", context);
-  const SharedLeaf second = leaf_of_boundary(b.boundary(), "the second operand", context);
+  const SharedLeaf first = leaf_of(a, "the first operand", context);
+  const SharedLeaf second = leaf_of(b, "the second operand", context);
   const auto is_inside = [&](int winding, const std::function<RationalPoint3()>& point) {
-    return winding != 0 || meet(first, placed(*second, point(), -1, context), context);
+    return winding != 0 || meet(first, reflected(*second, point(), context), context);
   };
   return Solid::from_boundary(winding_boundary(convolve(first, second, context), is_inside, context), "sum", context);
 }
@@ -125,23 +91,16 @@ Solid minkowski_sum(const Solid& a, const Solid& b, const Context& context) {
 Solid erosion(const Solid& a, const Solid& b, const Context& context) {
   if (b.is_empty()) throw InputError("the second operand is empty: it fits everywhere");
   if (a.is_empty()) return {};
-  const SharedLeaf solid = leaf_of_boundary(a.boundary(), "the first operand", context);
-  const SharedLeaf tool = leaf_of_boundary(b.boundary(), "the second operand", context);
+  const SharedLeaf solid = leaf_of(a, "the first operand", context);
+  const SharedLeaf tool = leaf_of(b, "the second operand", context);
   const SharedLeaf rest = complement_in_box(*solid, *tool, context);
-  const RationalPoint3 origin{};
-  const SharedLeaf surface = convolve(rest, placed(*tool, origin, -1, context), context);
+  const SharedLeaf surface = convolve(rest, reflected(*tool, {}, context), context);
   const auto is_inside = [&](int winding, const std::function<RationalPoint3()>& point) {
     if (winding != 0) return false;
     const RationalPoint3 t = point();
-    return is_in_bounds(t + vertex_of(*tool, 0), *solid) && !meet(rest, placed(*tool, t, 1, context), context);
+    return is_in_bounds(t + vertex_of(*tool, 0), *solid) && !meet(rest, translated(*tool, t, context), context);
   };
   return Solid::from_boundary(winding_boundary(surface, is_inside, context), "erosion", context);
-}
-
-Solid reflected(const Solid& solid, const Context& context) {
-  if (solid.is_empty()) return {};
-  const SharedLeaf leaf = leaf_of_boundary(solid.boundary(), "the solid", context);
-  return Solid::from_leaf(placed(*leaf, {}, -1, context), context);
 }
 
 SumEstimate estimate_sum(const Solid& a, const Solid& b) {

@@ -23,9 +23,6 @@ Solid minkowski_sum(const Solid& a, const Solid& b, const Context& context);
 /// Exact, complexity and errors as minkowski_sum; of an empty b it would be everything, which is an InputError.
 Solid erosion(const Solid& a, const Solid& b, const Context& context);
 
-/// The solid with all points negated. Exact, O(n log n).
-Solid reflected(const Solid& solid, const Context& context);
-
 /// How much work a sum is, before it starts.
 struct SumEstimate {
   std::size_t edges_of_first = 0;  ///< of the boundaries' faces

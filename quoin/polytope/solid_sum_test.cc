@@ -269,13 +269,4 @@ TEST(Erosion, AgreesWithPlacingTheToolAtSamplePoints) {
   EXPECT_GE(inside, test_cases(10));
 }
 
-TEST(Reflected, NegatesAllPoints) {
-  const Solid s = solid(shapes::tetrahedron(1)) | box({0, 0, 0}, {1, 2, 3});
-  const Solid r = reflected(s, one_thread);
-  EXPECT_EQ(volume_of(r), volume_of(s));
-  EXPECT_TRUE(contains(r, {-1, -2, -3}));
-  EXPECT_FALSE(contains(r, {1, 2, 3}));
-  expect_same_set(reflected(r, one_thread), s);
-}
-
 }  // namespace quoin
