@@ -12,7 +12,7 @@ enum class BallSide {
 };
 
 /// A polytope near the ball about the origin: vertices are doubles, and both bounds are checked exactly. Geodesic, of
-/// about 4.4 radius / tolerance facets.
+/// about 6 radius / tolerance facets.
 ///
 /// Sums and erosions with both bound those with the ball from two sides, each within the tolerance.
 /// @throws InputError  radius and tolerance are not positive and finite, the radius is outside [2^-300, 2^300], or the

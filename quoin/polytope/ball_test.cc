@@ -44,7 +44,7 @@ TEST(Ball, IsBoundedFromBothSides) {
       expect_between(ball_polytope(radius, radius * part, BallSide::around, one_thread), r, r + t);
     }
   }
-  EXPECT_LE(ball_polytope(1, 0.01, BallSide::around, one_thread).boundary().face_count(), 600U);
+  EXPECT_LE(ball_polytope(1, 0.01, BallSide::around, one_thread).boundary().face_count(), 800U);
 }
 
 TEST(Ball, RefusesWhatIsNoBall) {

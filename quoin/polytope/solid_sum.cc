@@ -82,10 +82,11 @@ Solid minkowski_sum(const Solid& a, const Solid& b, const Context& context) {
   if (a.is_empty() || b.is_empty()) return {};
   const SharedLeaf first = leaf_of(a, "the first operand", context);
   const SharedLeaf second = leaf_of(b, "the second operand", context);
-  const auto is_inside = [&](int winding, const std::function<RationalPoint3()>& point) {
-    return winding != 0 || meet(first, reflected(*second, point(), context), context);
+  const auto kind_at = [&](const RationalPoint3& t) {
+    return meet(first, reflected(*second, t, context), context) ? CellKind::inside : CellKind::hole;
   };
-  return Solid::from_boundary(winding_boundary(convolve(first, second, context), is_inside, context), "sum", context);
+  return Solid::from_boundary(winding_boundary(convolve(first, second, context), CellKind::inside, kind_at, context),
+                              "sum", context);
 }
 
 Solid erosion(const Solid& a, const Solid& b, const Context& context) {
@@ -95,12 +96,11 @@ Solid erosion(const Solid& a, const Solid& b, const Context& context) {
   const SharedLeaf tool = leaf_of(b, "the second operand", context);
   const SharedLeaf rest = complement_in_box(*solid, *tool, context);
   const SharedLeaf surface = convolve(rest, reflected(*tool, {}, context), context);
-  const auto is_inside = [&](int winding, const std::function<RationalPoint3()>& point) {
-    if (winding != 0) return false;
-    const RationalPoint3 t = point();
-    return is_in_bounds(t + vertex_of(*tool, 0), *solid) && !meet(rest, translated(*tool, t, context), context);
+  const auto kind_at = [&](const RationalPoint3& t) {
+    if (!is_in_bounds(t + vertex_of(*tool, 0), *solid)) return CellKind::outside;
+    return meet(rest, translated(*tool, t, context), context) ? CellKind::inside : CellKind::hole;
   };
-  return Solid::from_boundary(winding_boundary(surface, is_inside, context), "erosion", context);
+  return Solid::from_boundary(winding_boundary(surface, CellKind::hole, kind_at, context), "erosion", context);
 }
 
 SumEstimate estimate_sum(const Solid& a, const Solid& b) {

@@ -2,10 +2,12 @@
 #include "quoin/polytope/tiled_surface.h"
 
 #include <algorithm>
-#include <tuple>
+#include <utility>
 
 #include "quoin/base/disjoint_sets.h"
 #include "quoin/base/error.h"
+#include "quoin/kernel/constructions.h"
+#include "quoin/kernel/radial_order.h"
 
 namespace quoin {
 
@@ -52,35 +54,58 @@ Vector3 TiledSurface::rounded_vector(std::uint32_t from, std::uint32_t to) const
   return {v.x.to_double(), v.y.to_double(), v.z.to_double()};
 }
 
-/// Of edges with more than two tiles, those that run one way with those that run the other, in order of their numbers.
+/// Of edges with more than two tiles, each that runs from the smaller to the larger end with the one that comes first
+/// through the material from there on.
 std::vector<std::uint32_t> TiledSurface::paired_halfedges(const Leaf& leaf) const {
   std::vector<std::uint32_t> twins = leaf.twins;
-  using Entry =
-      std::tuple<std::uint32_t, std::uint32_t, bool, std::uint32_t>;  // smaller, larger end, direction, number
-  std::vector<Entry> open;
+  std::vector<std::uint32_t> open;
   for (std::uint32_t h = 0; h < twins.size(); ++h) {
-    if (twins[h] != Leaf::no_twin) continue;
-    open.push_back({std::min(tail(h), head(h)), std::max(tail(h), head(h)), tail(h) < head(h), h});
+    if (twins[h] == Leaf::no_twin) open.push_back(h);
   }
-  std::sort(open.begin(), open.end());
+  if (open.empty()) return twins;
+  const Constructions points = exact_.empty() ? Constructions(points_) : Constructions(exact_);
+  const auto ends = [&](std::uint32_t h) {
+    return std::pair(std::min(tail(h), head(h)), std::max(tail(h), head(h)));
+  };
+  std::sort(open.begin(), open.end(),
+            [&](std::uint32_t g, std::uint32_t h) { return std::pair(ends(g), g) < std::pair(ends(h), h); });
   for (std::size_t first = 0; first < open.size();) {
-    std::size_t end = first;
-    std::size_t forward = first;
-    while (end < open.size() && std::get<0>(open[end]) == std::get<0>(open[first]) &&
-           std::get<1>(open[end]) == std::get<1>(open[first])) {
-      if (!std::get<2>(open[end])) ++forward;
-      ++end;
-    }
-    if (2 * (forward - first) != end - first) throw InternalError("the surface of a solid is not closed");
-    for (std::size_t i = first; i < forward; ++i) {
-      const std::uint32_t a = std::get<3>(open[i]);
-      const std::uint32_t b = std::get<3>(open[i + forward - first]);
-      twins[a] = b;
-      twins[b] = a;
-    }
+    std::size_t end = first + 1;
+    while (end < open.size() && ends(open[end]) == ends(open[first])) ++end;
+    pair_about_edge(points, std::span(open).subspan(first, end - first), twins);
     first = end;
   }
   return twins;
+}
+
+/// Seen from the head of the edge, material lies clockwise of a tile that runs along it forward.
+void TiledSurface::pair_about_edge(const Constructions& points, std::span<std::uint32_t> around,
+                                   std::vector<std::uint32_t>& twins) const {
+  const std::uint32_t from = std::min(tail(around[0]), head(around[0]));
+  const std::uint32_t to = std::max(tail(around[0]), head(around[0]));
+  const PointId p{std::size_t{from}};
+  const PointId q{std::size_t{to}};
+  const auto apex = [&](std::uint32_t h) { return PointId{std::size_t{head(next_in_tile(h))}}; };
+  const PointId reference = apex(around[0]);
+  std::ranges::sort(around, [&](std::uint32_t g, std::uint32_t h) {
+    const Sign order = compare_radially(points, p, q, reference, apex(g), apex(h));
+    return order != Sign::zero ? order == Sign::negative : g < h;
+  });
+  std::vector<std::uint32_t> waiting;  // backward, for the forward one that follows counterclockwise
+  for (std::size_t i = 0; i < 2 * around.size(); ++i) {
+    const std::uint32_t h = around[i % around.size()];
+    if (twins[h] != Leaf::no_twin) continue;
+    if (tail(h) != from) {
+      if (i < around.size()) waiting.push_back(h);
+    } else if (!waiting.empty()) {
+      twins[h] = waiting.back();
+      twins[waiting.back()] = h;
+      waiting.pop_back();
+    }
+  }
+  for (const std::uint32_t h : around) {
+    if (twins[h] == Leaf::no_twin) throw InternalError("the surface of a solid is not closed");
+  }
 }
 
 /// The side of the left tile's plane on which the apex of the right one lies.

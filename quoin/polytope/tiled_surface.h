@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "quoin/base/context.h"
+#include "quoin/kernel/constructions.h"
 #include "quoin/kernel/rational_point.h"
 #include "quoin/polytope/edge_predicates.h"
 #include "quoin/solid/leaf.h"
@@ -14,8 +15,7 @@
 namespace quoin {
 
 /// The boundary of a solid as oriented triangles that are paired along their edges, as its convolution with another
-/// needs it. Where more than two tiles meet in an edge they are paired in any way that fits their directions: the
-/// convolution winds about the same points then.
+/// needs it. Where more than two tiles meet in an edge, those are paired that have material between them.
 ///
 /// The Gaussian image of an edge is the shorter arc between the normals of its two tiles. It counts 1 where the edge is
 /// convex, -1 where it is reflex.
@@ -58,6 +58,8 @@ class TiledSurface {
  private:
   Vector3 rounded_vector(std::uint32_t from, std::uint32_t to) const;
   std::vector<std::uint32_t> paired_halfedges(const Leaf& leaf) const;
+  void pair_about_edge(const Constructions& points, std::span<std::uint32_t> around,
+                       std::vector<std::uint32_t>& twins) const;
   Sign side_of_apex(const Edge& edge) const;
   bool folds_back(const Edge& edge) const;
   void count_fans();

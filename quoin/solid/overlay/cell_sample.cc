@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -67,10 +68,13 @@ Rational squared_room(const Sheets& sheets, const RationalPoint3& p, const Conte
   for (std::uint32_t t = 0; t < sheets.tile_count(); ++t) {
     order.push_back({least_distance(rounded, table, sheets.corners(t)), t});
   }
-  std::sort(order.begin(), order.end());
+  // A heap: only the first few are taken out in order.
+  std::make_heap(order.begin(), order.end(), std::greater<>());
   Rational nearest(0);
-  for (const auto& [least, tile] : order) {
+  for (auto end = order.end(); end != order.begin(); --end) {
     context.poll();
+    std::pop_heap(order.begin(), end, std::greater<>());
+    const auto& [least, tile] = *(end - 1);
     if (nearest.sign() == Sign::positive && Rational(least) * Rational(least) > nearest) break;
     const Corners c = sheets.corners(tile);
     const Rational found = squared_distance(p, {table.exact(c[0]), table.exact(c[1]), table.exact(c[2])});

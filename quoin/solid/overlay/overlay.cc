@@ -33,10 +33,10 @@ Brep overlay_boundary(std::span<const std::shared_ptr<const Leaf>> leaves, const
   return boundary_of_cells(leaves, classify, context);
 }
 
-Brep winding_boundary(const std::shared_ptr<const Leaf>& leaf, const CellMembership& is_inside,
+Brep winding_boundary(const std::shared_ptr<const Leaf>& leaf, CellKind kind, const CellQuestion& question,
                       const Context& context) {
   const auto classify = [&](const overlay::Sheets& sheets, const overlay::CellComplex& complex) {
-    return overlay::classify_winding_cells(sheets, complex, is_inside, context);
+    return overlay::classify_winding_cells(sheets, complex, kind, question, context);
   };
   return boundary_of_cells({&leaf, 1}, classify, context);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <span>
@@ -22,13 +23,18 @@ namespace quoin {
 Brep overlay_boundary(std::span<const std::shared_ptr<const Leaf>> leaves, const Expression& expression,
                       const Context& context);
 
-/// Whether a cell belongs to a set, by its winding number and, where it is called for, a point strictly inside it. The
-/// point is binary fractions with few digits where the room in the cell lets it be; it costs more than the number.
-using CellMembership = std::function<bool(int winding, const std::function<RationalPoint3()>& point)>;
+/// What a cell is to a set that winds: in it, a hole of it, or the outside of everything.
+enum class CellKind : std::uint8_t { inside, hole, outside };
 
-/// Boundary of the union of those cells of one leaf's tiles that `is_inside` accepts. It is asked once for each cell,
-/// also for the unbounded one, which must not be accepted, and more than once where no edges connect parts of a cell's
-/// boundary. Exact, complexity as overlay_boundary.
-Brep winding_boundary(const std::shared_ptr<const Leaf>& leaf, const CellMembership& is_inside, const Context& context);
+/// Asked about one point strictly inside a cell of winding number zero. The point is binary fractions with few digits
+/// where the room in the cell lets it be.
+using CellQuestion = std::function<CellKind(const RationalPoint3&)>;
+
+/// Boundary of the cells of one leaf's tiles that are of the kind, which is not `outside`, in a set of which two things
+/// are known: points about which the leaf winds are in it, and wherever its boundary is, a tile lies whose normal
+/// points out of it. What that leaves open is asked, once or twice for each such cell. Exact, complexity as
+/// overlay_boundary, and O(tiles log tiles) for each question.
+Brep winding_boundary(const std::shared_ptr<const Leaf>& leaf, CellKind kind, const CellQuestion& question,
+                      const Context& context);
 
 }  // namespace quoin

@@ -15,6 +15,16 @@ void windings_across(const Sheets& sheets, std::uint32_t sheet, std::vector<Wind
   for (Winding& w : out) w.number = -w.number;
 }
 
+CoverSides sides_of_covers(const Sheets& sheets, std::uint32_t sheet) {
+  if (!sheets.is_region(sheet)) return {true, false};
+  const std::vector<bool>& is_reversed = sheets.network->clusters.is_reversed;
+  CoverSides sides{false, false};
+  for (const std::uint32_t facet : sheets.subdivision->covers_of(sheets.region(sheet))) {
+    (is_reversed[facet] == is_reversed[sheets.facet(sheet)] ? sides.front : sides.back) = true;
+  }
+  return sides;
+}
+
 bool in_one_plane(const Sheets& sheets, std::uint32_t a, std::uint32_t b) {
   if (sheets.tile(a) == sheets.tile(b)) return true;
   const std::array<PointId, 3> p = sheets.corners(a);

@@ -58,6 +58,13 @@ void for_each_vertex(const Sheets& sheets, std::uint32_t sheet, const Visit& vis
 /// where that tile has the opposite normal. Ascending by leaf, none of them 0.
 void windings_across(const Sheets& sheets, std::uint32_t sheet, std::vector<Winding>& out);
 
+/// Which ways the normals of the tiles point that a sheet is part of.
+struct CoverSides {
+  bool front;  ///< of one at least, as that of the sheet
+  bool back;   ///< of one at least, the other way
+};
+CoverSides sides_of_covers(const Sheets& sheets, std::uint32_t sheet);
+
 /// Whether two sheets lie in one plane, exactly.
 bool in_one_plane(const Sheets& sheets, std::uint32_t a, std::uint32_t b);
 

@@ -7,8 +7,8 @@
 
 namespace quoin::overlay {
 
-/// Asks for each cell of a complex of one leaf, the unbounded one included, whether it is inside. Far away is outside.
-CellTruth classify_winding_cells(const Sheets& sheets, const CellComplex& complex, const CellMembership& is_inside,
-                                 const Context& context);
+/// The cells of a kind in the set of winding_boundary (overlay.h).
+CellTruth classify_winding_cells(const Sheets& sheets, const CellComplex& complex, CellKind kind,
+                                 const CellQuestion& question, const Context& context);
 
 }  // namespace quoin::overlay
