@@ -80,8 +80,8 @@ void HullBuilder::find_centre() {
 /// Twenty-four pay for the rest. What falls below the range of doubles is less than 2^-1070 in n, which 2^-1000 M pays
 /// for, and 2^-120 in the evaluation. Infinite or no number: decides nothing.
 ///
-/// Coordinates of points of a table err by u M (below M = 2^-1000, where that may be less than a unit, 2^-120 pays): six
-/// products of three differences of at most 2 M, each off by 2 u M, by 144 u M^3 together.
+/// Coordinates of points of a table err by u M (below M = 2^-1000, where that may be less than a unit, 2^-120 pays):
+/// six products of three differences of at most 2 M, each off by 2 u M, by 144 u M^3 together.
 std::uint32_t HullBuilder::new_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
   std::uint32_t triangle;
   if (free_.empty()) {

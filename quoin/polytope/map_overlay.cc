@@ -9,7 +9,8 @@
 
 namespace quoin {
 
-MapOverlay::MapOverlay(const PolytopeShape& p, const PolytopeShape& q, MapPredicates& predicates, const Context& context)
+MapOverlay::MapOverlay(const PolytopeShape& p, const PolytopeShape& q, MapPredicates& predicates,
+                       const Context& context)
     : p_(p),
       q_(q),
       predicates_(predicates),

@@ -34,7 +34,7 @@ struct FacetRings {
 /// vertices[i][1] of the second, and of no other two.
 struct PolytopeSum : FacetRings {
   std::vector<std::array<std::uint32_t, 2>> vertices;
-  bool has_ties = false;  ///< some facets, edges or both of the two are parallel, so that facets were joined
+  bool has_ties = false;  ///< signs were zero on the way, as they are where facets or edges of the two are parallel
 
   std::size_t vertex_count() const { return vertices.size(); }
 };
@@ -65,8 +65,8 @@ struct PolytopeSumOfMany : FacetRings {
   }
 };
 
-/// Exact, of any number of polytopes of any dimensions; of none, the origin. The cells do not depend on the order of the
-/// summands, their numbers do.
+/// Exact, of any number of polytopes of any dimensions; of none, the origin. The cells do not depend on the order of
+/// the summands, their numbers do.
 ///
 /// One summand after the other is added by overlays. No number grows: an edge of a sum is parallel to one of some
 /// summand, which stands for it, and a normal is the product of two such.

@@ -28,8 +28,7 @@ DirectionPlane::DirectionPlane(const EdgeVector& a, const EdgeVector& b) {
 
 bool DirectionPlane::is_in_first_half(const EdgeVector& v) const {
   const Sign second = sign_ * component_sign(v, (axis_ + 2) % 3);
-  return second == Sign::positive ||
-         (second == Sign::zero && component_sign(v, (axis_ + 1) % 3) == Sign::positive);
+  return second == Sign::positive || (second == Sign::zero && component_sign(v, (axis_ + 1) % 3) == Sign::positive);
 }
 
 namespace {

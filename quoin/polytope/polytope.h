@@ -16,8 +16,8 @@
 
 namespace quoin {
 
-/// A convex polytope of any dimension from 0 to 3: a point, a segment, a flat polygon or a solid, with vertices that are
-/// doubles or rationals. Copies share what is rational.
+/// A convex polytope of any dimension from 0 to 3: a point, a segment, a flat polygon or a solid, with vertices that
+/// are doubles or rationals. Copies share what is rational.
 class Polytope : public PolytopeShape {
  public:
   /// The hull of the points. Exact. @throws InputError without points or naming one that is not finite, Cancelled
@@ -29,7 +29,9 @@ class Polytope : public PolytopeShape {
 
   /// Rounded, where it is no double.
   const Point3& vertex(std::uint32_t v) const { return vertices_ ? vertices_->rounded[v] : points_[v]; }
-  RationalPoint3 exact_vertex(std::uint32_t v) const { return vertices_ ? vertices_->exact[v] : exact_point(points_[v]); }
+  RationalPoint3 exact_vertex(std::uint32_t v) const {
+    return vertices_ ? vertices_->exact[v] : exact_point(points_[v]);
+  }
   /// Some vertex is no double, so edges are rationals.
   bool is_rational() const { return vertices_ != nullptr; }
   /// Index of a vertex among the points given.

@@ -112,8 +112,8 @@ void PolytopeShape::set_vectors() {
   }
 }
 
-/// A vertex keeps its number, and so does a facet. Around a facet all runs the other way, so a halfedge becomes what its
-/// twin was on the other side; around a vertex the order turns around.
+/// A vertex keeps its number, and so does a facet. Around a facet all runs the other way, so a halfedge becomes what
+/// its twin was on the other side; around a vertex the order turns around.
 void PolytopeShape::reflect() {
   for (Point3& p : points_) p = {-p.x, -p.y, -p.z};
   if (dimension_ < 2) {
@@ -130,12 +130,8 @@ void PolytopeShape::reflect() {
   edges_.resize(old_edges.size());
   for (std::uint32_t h = 0; h < old.size(); ++h) {
     const std::uint32_t twin = old[h].twin;
-    halfedges_[number(h)] = {{},
-                             old[h].tail,
-                             old[h].head,
-                             number(twin),
-                             old[twin].facet,
-                             number(old[previous[twin]].twin)};
+    halfedges_[number(h)] = {{},           old[h].tail,     old[h].head,
+                             number(twin), old[twin].facet, number(old[previous[twin]].twin)};
     if (!old_edges.empty()) edges_[number(h)] = old_edges[twin];
   }
   for (std::uint32_t& h : facet_halfedge_) h = number(old[h].twin);
