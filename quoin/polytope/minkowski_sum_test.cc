@@ -10,6 +10,7 @@
 #include <cmath>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "quoin/base/error.h"
@@ -48,6 +49,43 @@ TEST(MinkowskiSum, KnownCounts) {
   EXPECT_EQ(check_sum(tetrahedron, scaled(tetrahedron, -1)), (Counts{12, 24, 14}));
   EXPECT_EQ(check_sum(cube, octahedron), (Counts{24, 48, 26}));
   EXPECT_EQ(check_sum(tetrahedron, cube), (Counts{16, 24, 10}));
+}
+
+/// By a quarter of a turn about the x axis, exactly.
+Points turned(Points points) {
+  for (Point3& p : points) p = {p.x, -p.z, p.y};
+  return points;
+}
+
+// The same table: a pyramid over a polygon of sixteen sides, and its copy turned, share two normals of their bases; and
+// ellipsoids of revolution, with rings of quadrilaterals that are planar whatever the radii.
+TEST(MinkowskiSum, KnownCountsOfTurnedCopies) {
+  Points pyramid{{0, -20, 0}};
+  for (const auto& [x, z] : {std::pair{20, 0}, {18, 8}, {14, 14}, {8, 18}, {0, 20}}) {
+    for (const int s : {-1, 1}) {
+      for (const int t : {-1, 1}) pyramid.push_back({double(s * x), 0, double(t * z)});
+    }
+  }
+  EXPECT_EQ(check_sum(pyramid, turned(pyramid)), (Counts{127, 247, 122}));
+  EXPECT_EQ(check_sum(pyramid, pyramid), (Counts{17, 32, 17}));
+  EXPECT_EQ(check_sum(icosahedron(), scaled(icosahedron(), 2)), (Counts{12, 30, 20}));
+
+  constexpr double unit = 1e7;
+  constexpr double part = 3.14159265358979323846 / 16;
+  Points ellipsoid{{0, 0, 2 * unit * unit}, {0, 0, -2 * unit * unit}};
+  for (int j = 1; j < 16; ++j) {
+    const double radius = std::round(unit * std::sin(j * part));
+    const double height = 2 * unit * std::round(unit * std::cos(j * part));
+    for (int k = 0; k < 32; ++k) {
+      ellipsoid.push_back(
+          {radius * std::round(unit * std::cos(k * part)), radius * std::round(unit * std::sin(k * part)), height});
+    }
+  }
+  const Polytope p = Polytope::hull_of(ellipsoid, one_thread);
+  EXPECT_EQ((Counts{p.vertex_count(), p.edge_count(), p.facet_count()}), (Counts{482, 992, 512}));
+  const Polytope q = Polytope::hull_of(turned(ellipsoid), one_thread);
+  const PolytopeSum sum = minkowski_sum(p, q, one_thread);
+  EXPECT_EQ((Counts{sum.vertex_count(), sum.edge_count(), sum.facet_count()}), (Counts{2258, 4576, 2320}));
 }
 
 TEST(MinkowskiSum, OfRandomPolytopesOnSmallGrids) {
