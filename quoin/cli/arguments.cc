@@ -186,10 +186,11 @@ void add_commands(CLI::App& app, Options& options) {
   add_one_file(*add_maker(app, options, "convert", "one format to another, faces merged where coplanar"), options);
   add_one_file(*add_maker(app, options, "view", "a page to look at a solid in the browser"), options);
   add_files(*add_maker(app, options, "hull", "the convex hull of the vertices of all files, exactly"), options);
-  add_maker(app, options, "minkowski", "the sum of two convex solids, exactly: all sums of a point of each")
-      ->add_option("files", options.inputs, "two convex meshes, .qsolid, or files of points, which mean their hull")
+  add_maker(app, options, "minkowski", "the sum of convex solids, exactly: all sums of a point of each")
+      ->add_option("files", options.inputs,
+                   "two or more convex meshes, .qsolid, or files of points, which mean their hull")
       ->required()
-      ->expected(2);
+      ->expected(2, 1 << 20);
   CLI::App* map =
       add_command(app, options, "gaussian-map", "the directions in which each vertex of a convex solid is extreme");
   add_one_file(*map, options);

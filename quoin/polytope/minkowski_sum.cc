@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "quoin/polytope/minkowski_sum.h"
 
+#include <numeric>
 #include <utility>
 
 #include "quoin/polytope/flat_sums.h"
@@ -53,10 +54,15 @@ PolytopeSumOfMany minkowski_sum(std::span<const Polytope> summands, const Contex
   PolytopeSumOfMany result;
   result.summand_count = summands.size();
   if (summands.empty()) return result;
-  const Polytope origin = Polytope::hull_of(std::vector<Point3>{{0, 0, 0}}, context);
-  PolytopeShape shape = origin;
-  std::vector<std::uint32_t> tuples;  // of as many indices as there were summands, for each vertex of the shape
-  for (std::size_t i = 0; i < summands.size(); ++i) {
+  PolytopeShape shape = summands[0];
+  // Of as many indices as there were summands, for each vertex of the shape.
+  std::vector<std::uint32_t> tuples(shape.vertex_count());
+  std::iota(tuples.begin(), tuples.end(), 0U);
+  if (summands.size() == 1) {
+    const Polytope origin = Polytope::hull_of(std::vector<Point3>{{0, 0, 0}}, context);
+    static_cast<FacetRings&>(result) = minkowski_sum(shape, origin, context);
+  }
+  for (std::size_t i = 1; i < summands.size(); ++i) {
     PolytopeSum sum = minkowski_sum(shape, summands[i], context);
     std::vector<std::uint32_t> longer;
     longer.reserve(sum.vertices.size() * (i + 1));
