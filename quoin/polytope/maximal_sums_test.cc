@@ -54,11 +54,11 @@ TEST(MaximalSums, OfThreeAndFour) {
   EXPECT_EQ(check_maximal({4, 4, 4, 4}).facets, 76U);
 }
 
-TEST(MaximalSums, OfNoneAndOne) {
+TEST(MaximalSums, OfNoneOneAndLargeOnes) {
   EXPECT_EQ(most_facets_of_sum(Sizes{}), 0U);
   EXPECT_TRUE(maximal_summands(Sizes{}, one_thread).empty());
   EXPECT_EQ(check_maximal({9}).facets, 9U);
-  EXPECT_EQ(most_facets_of_sum(Sizes{101, 101}), 39012U);
+  EXPECT_EQ(check_maximal({101, 101}).facets, 39012U);
   EXPECT_THROW(most_facets_of_sum(Sizes{4, 3}), InputError);
   EXPECT_THROW(maximal_summands(Sizes{3}, one_thread), InputError);
 }

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <random>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -220,6 +221,90 @@ TEST(MinkowskiSum, OfEveryTwoDimensions) {
   }
   EXPECT_GT(sums[2], test_cases(40));
   EXPECT_GT(sums[3], test_cases(40));
+}
+
+/// Facets as rings of pairs of points, from the smallest.
+using PairFacets = std::set<std::vector<std::array<std::uint32_t, 2>>>;
+
+PairFacets pairs_by_hull(const Points& a, const Points& b, int& dimension) {
+  std::vector<RationalPoint3> sums;
+  for (const Point3& p : a) {
+    for (const Point3& q : b) sums.push_back(exact_point(p) + exact_point(q));
+  }
+  const ConvexHull hull = convex_hull(sums, one_thread);
+  dimension = hull.dimension;
+  const auto width = static_cast<std::uint32_t>(b.size());
+  PairFacets facets;
+  for (std::size_t f = 0; f < hull.facet_count(); ++f) {
+    std::vector<std::array<std::uint32_t, 2>> facet;
+    for (const std::uint32_t v : hull.facet(f)) facet.push_back({v / width, v % width});
+    std::rotate(facet.begin(), std::min_element(facet.begin(), facet.end()), facet.end());
+    facets.insert(facet);
+  }
+  return facets;
+}
+
+// Doubles of all sizes, whose sums are none: flats of small integers, each coordinate times a power of two, and some
+// points off by the least that doubles can be. The hull is of rationals.
+TEST(MinkowskiSum, OfDoublesOfAllSizes) {
+  std::array<int, 4> seen{};
+  for (std::uint64_t seed = 0; seed < test_rounds(200U); ++seed) {
+    Random random(seed);
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const auto power = [&](int most) { return std::ldexp(1.0, below(random, 2 * most + 1) - most); };
+    const int most = seed % 3 == 0 ? 990 : seed % 3 == 1 ? 60 : 1;
+    const Point3 common{power(most), power(most), power(most)};
+    const auto draw = [&] {
+      Points points = on_a_small_flat(random, below(random, 4));
+      const bool is_shared = below(random, 2) == 0;
+      const Point3 own{power(most), power(most), power(most)};
+      for (Point3& p : points) {
+        const Point3& scale = is_shared ? common : own;
+        p = {p.x * scale.x, p.y * scale.y, p.z * scale.z};
+        if (below(random, 6) == 0) p.y = std::nextafter(p.y, 1e300);
+      }
+      // The first of equal points alone, so that pairs are unique.
+      Points unique;
+      for (const Point3& p : points) {
+        if (std::find(unique.begin(), unique.end(), p) == unique.end()) unique.push_back(p);
+      }
+      return unique;
+    };
+    const Points a = draw();
+    const Points b = draw();
+    const Polytope p = Polytope::hull_of(a, one_thread);
+    const Polytope q = Polytope::hull_of(b, one_thread);
+    const PolytopeSum sum = minkowski_sum(p, q, one_thread);
+    int dimension = -1;
+    const PairFacets expected = pairs_by_hull(a, b, dimension);
+    ASSERT_EQ(sum.dimension, dimension);
+    PairFacets found;
+    for (std::size_t f = 0; f < sum.facet_count(); ++f) {
+      std::vector<std::array<std::uint32_t, 2>> facet;
+      for (const std::uint32_t v : sum.facet(f)) {
+        facet.push_back({p.source(sum.vertices[v][0]), q.source(sum.vertices[v][1])});
+      }
+      std::rotate(facet.begin(), std::min_element(facet.begin(), facet.end()), facet.end());
+      found.insert(facet);
+    }
+    ASSERT_EQ(found, expected);
+    ++seen.at(static_cast<std::size_t>(dimension));
+  }
+  for (const int count : seen) EXPECT_GT(count, test_cases(4));
+}
+
+TEST(MinkowskiSum, MayBeCancelled) {
+  const Polytope solid = Polytope::hull_of(cube, one_thread);
+  const Polytope other = Polytope::hull_of(octahedron, one_thread);
+  const Polytope segment = Polytope::hull_of(Points{{0, 0, 0}, {1, 2, 3}}, one_thread);
+  Context context({.threads = 1});
+  context.cancel();
+  EXPECT_THROW(minkowski_sum(solid, other, context), Cancelled);
+  EXPECT_THROW(minkowski_sum(solid, segment, context), Cancelled);
+  EXPECT_THROW(minkowski_sum(segment, segment, context), Cancelled);
+  EXPECT_THROW(minkowski_sum(std::vector<Polytope>{segment, segment}, context), Cancelled);
+  EXPECT_THROW(Polytope::hull_of(std::vector<RationalPoint3>{{0, 0, Rational(1) / Rational(3)}, {0, 1, 0}}, context),
+               Cancelled);
 }
 
 TEST(MinkowskiSum, OfFlatOperands) {
