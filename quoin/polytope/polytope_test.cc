@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <string>
 #include <vector>
@@ -150,6 +151,54 @@ TEST(Polytope, OfEveryDimension) {
   EXPECT_EQ(counts(cube), (Expected{3, 8, 12, 6}));
   EXPECT_THROW(Polytope::hull_of(RationalPoints{}, one_thread), InputError);
   EXPECT_THROW(Polytope::hull_of(Points{{0, 0, 1 / 0.0}}, one_thread), InputError);
+}
+
+/// Of a polytope with the origin inside: a vertex for each facet, where rationals are exact and doubles are not.
+RationalPoints polar_dual(const Polytope& p) {
+  RationalPoints result;
+  for (std::uint32_t f = 0; f < p.facet_count(); ++f) {
+    const std::uint32_t h = p.first_halfedge(f);
+    const RationalPoint3 normal = cross(exact_vector(p.edge(h)), exact_vector(p.edge(p.halfedges()[h].next)));
+    result.push_back(normal * (Rational(1) / dot(normal, p.exact_vertex(p.halfedges()[h].tail))));
+  }
+  return result;
+}
+
+// Minkowski thesis, section 3.1: duals of rounded simplicial polytopes are simple ones with facets exactly planar. And
+// back; and the sum with the reflection, which is the same in another size.
+TEST(Polytope, PolarDualsOfRoundedPolytopes) {
+  const double golden = (1 + std::sqrt(5.0)) / 2;
+  Points axes;
+  const auto add_cyclic = [&](double a, double b, double c) {
+    const double length = std::sqrt(a * a + b * b + c * c);
+    const auto round = [&](double x) { return std::round(1000 * x / length); };
+    for (int signs = 0; signs < 8; ++signs) {
+      const double x = (signs & 1) != 0 ? -round(a) : round(a);
+      const double y = (signs & 2) != 0 ? -round(b) : round(b);
+      const double z = (signs & 4) != 0 ? -round(c) : round(c);
+      axes.insert(axes.end(), {{x, y, z}, {y, z, x}, {z, x, y}});
+    }
+  };
+  const auto check = [](const Points& points, const Counts& expected) {
+    const Polytope p = Polytope::hull_of(points, one_thread);
+    const Polytope dual = Polytope::hull_of(polar_dual(p), one_thread);
+    check_record(dual);
+    EXPECT_TRUE(dual.is_rational());
+    EXPECT_EQ((Counts{dual.vertex_count(), dual.edge_count(), dual.facet_count()}), expected);
+    const Polytope back = Polytope::hull_of(polar_dual(dual), one_thread);
+    EXPECT_FALSE(back.is_rational());
+    EXPECT_EQ(facets_of(back), facets_of(p));
+    const PolytopeSum sum = minkowski_sum(dual, reflected(dual), one_thread);
+    EXPECT_EQ((Counts{sum.vertex_count(), sum.edge_count(), sum.facet_count()}), expected);
+  };
+  check(icosahedron(), {20, 30, 12});
+  // All axes of the icosahedron: the dual is the truncated icosidodecahedron.
+  add_cyclic(0, 1, golden);
+  add_cyclic(1, 1, 1);
+  add_cyclic(0, 1 / golden, golden);
+  add_cyclic(0, 0, 1);
+  add_cyclic(1 / golden, 1, golden);
+  check(axes, {120, 180, 62});
 }
 
 TEST(Polytope, CopiesOfRationalsOutliveTheOriginal) {
