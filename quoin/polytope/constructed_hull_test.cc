@@ -67,7 +67,7 @@ TEST(RationalHull, IsThatOfDoubles) {
       ASSERT_EQ(hull.vertices, expected.vertices);
     }
   }
-  for (const int count : seen) EXPECT_GT(count, test_cases(20));
+  for (const int count : seen) EXPECT_GE(count, test_cases(20));
 }
 
 // Far below what doubles tell apart: all round to one point or to a few.
@@ -187,7 +187,7 @@ TEST(ConstructedHull, AgreesWithTheDefinition) {
     // The first of equal points.
     for (const std::uint32_t v : hull.vertices) ASSERT_EQ(std::ranges::find(points, points[v]) - points.begin(), v);
   }
-  EXPECT_GT(solid, test_cases(30));
+  EXPECT_GE(solid, test_cases(30));
 }
 
 }  // namespace

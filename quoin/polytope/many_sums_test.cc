@@ -71,7 +71,7 @@ TEST(SumOfMany, OfRandomPolytopesInAnyOrder) {
     for (const std::size_t i : order) shuffled.push_back(polytopes[i]);
     ASSERT_EQ(tuples_of(minkowski_sum(shuffled, one_thread), order), tuples);
   }
-  for (const int count : seen) EXPECT_GT(count, test_cases(20));
+  for (const int count : seen) EXPECT_GE(count, test_cases(20));
 }
 
 TEST(SumOfMany, OfNone) {

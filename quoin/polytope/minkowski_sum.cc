@@ -34,6 +34,10 @@ class SumShape : public PolytopeShape {
   }
 };
 
+void take_rings(FacetRings& to, FacetRings& from) {
+  to = std::move(from);
+}
+
 }  // namespace
 
 PolytopeSum minkowski_sum(const PolytopeShape& p, const PolytopeShape& q, const Context& context) {
@@ -60,7 +64,8 @@ PolytopeSumOfMany minkowski_sum(std::span<const Polytope> summands, const Contex
   std::iota(tuples.begin(), tuples.end(), 0U);
   if (summands.size() == 1) {
     const Polytope origin = Polytope::hull_of(std::vector<Point3>{{0, 0, 0}}, context);
-    static_cast<FacetRings&>(result) = minkowski_sum(shape, origin, context);
+    PolytopeSum same = minkowski_sum(shape, origin, context);
+    take_rings(result, same);
   }
   for (std::size_t i = 1; i < summands.size(); ++i) {
     PolytopeSum sum = minkowski_sum(shape, summands[i], context);
@@ -73,7 +78,7 @@ PolytopeSumOfMany minkowski_sum(std::span<const Polytope> summands, const Contex
     }
     tuples = std::move(longer);
     if (i + 1 < summands.size()) shape = SumShape(sum, shape, summands[i]);
-    static_cast<FacetRings&>(result) = std::move(static_cast<FacetRings&>(sum));
+    take_rings(result, sum);
   }
   result.vertices = std::move(tuples);
   return result;

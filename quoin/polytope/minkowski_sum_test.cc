@@ -217,10 +217,10 @@ TEST(MinkowskiSum, OfEveryTwoDimensions) {
     }
   }
   for (const auto& row : seen) {
-    for (const int count : row) EXPECT_GT(count, test_cases(200));
+    for (const int count : row) EXPECT_GE(count, test_cases(200));
   }
-  EXPECT_GT(sums[2], test_cases(40));
-  EXPECT_GT(sums[3], test_cases(40));
+  EXPECT_GE(sums[2], test_cases(40));
+  EXPECT_GE(sums[3], test_cases(40));
 }
 
 /// Facets as rings of pairs of points, from the smallest.
@@ -290,7 +290,7 @@ TEST(MinkowskiSum, OfDoublesOfAllSizes) {
     ASSERT_EQ(found, expected);
     ++seen.at(static_cast<std::size_t>(dimension));
   }
-  for (const int count : seen) EXPECT_GT(count, test_cases(4));
+  for (const int count : seen) EXPECT_GE(count, test_cases(4));
 }
 
 TEST(MinkowskiSum, MayBeCancelled) {

@@ -134,7 +134,7 @@ TEST(Polytope, OfRationalsSumsLikeOfDoubles) {
     const Polytope tiny = Polytope::hull_of(times(b, third * Rational(0x1p-1074)), one_thread);
     ASSERT_EQ(labels(minkowski_sum(huge, tiny, one_thread)), expected);
   }
-  EXPECT_GT(rational, test_cases(150));
+  EXPECT_GE(rational, test_cases(150));
 }
 
 TEST(Polytope, OfEveryDimension) {

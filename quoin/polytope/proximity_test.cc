@@ -131,7 +131,7 @@ TEST(PolytopeDistance, OfRandomPolytopesOnSmallGrids) {
     ++seen.at(static_cast<std::size_t>(check_distance(a, b).relation));
     if (HasFailure()) return;
   }
-  for (const int count : seen) EXPECT_GT(count, test_cases(50));
+  for (const int count : seen) EXPECT_GE(count, test_cases(50));
 }
 
 TEST(PolytopeDistance, OfPolytopesInGeneralPosition) {
@@ -205,7 +205,7 @@ TEST(PolytopeDistance, OfEveryTwoDimensions) {
     ASSERT_EQ(polytope_diameter(third_of(a), one_thread).squared_diameter * Rational(9),
               polytope_diameter(p, one_thread).squared_diameter);
   }
-  for (const int count : seen) EXPECT_GT(count, test_cases(10));
+  for (const int count : seen) EXPECT_GE(count, test_cases(10));
 }
 
 TEST(PolytopeWidth, OfFlatOnesIsZeroAlongANormal) {
