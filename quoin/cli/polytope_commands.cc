@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <utility>
+#include <variant>
+
 #include "quoin/base/error.h"
 #include "quoin/cli/commands.h"
 #include "quoin/cli/failure.h"
@@ -35,12 +38,11 @@ Json counts_of(const ConvexHull& hull, std::size_t points) {
   return json;
 }
 
-/// A hull that bounds no solid is reported, and nothing else.
-int report_flat(const ConvexHull& hull, Json details, std::vector<std::string> warnings, const Options& options) {
-  const std::string flat = "all points are in one " + std::string(hull.dimension == 2   ? "plane"
-                                                                  : hull.dimension == 1 ? "line"
-                                                                                        : "place");
-  if (!options.outputs.empty()) throw InputError(flat + ": their hull bounds no solid that a file could hold");
+/// What bounds no solid is reported, and nothing else. `what` lies in one place, line or plane.
+int report_flat(int dimension, const std::string& what, Json details, std::vector<std::string> warnings,
+                const Options& options) {
+  const std::string flat = what + " in one " + (dimension == 2 ? "plane" : dimension == 1 ? "line" : "place");
+  if (!options.outputs.empty()) throw InputError(flat + ", which bounds no solid that a file could hold");
   warnings.push_back(flat);
   const std::string text = as_text(details);
   print_report(std::move(details), text, warnings, options);
@@ -52,29 +54,35 @@ int report_flat(const ConvexHull& hull, Json details, std::vector<std::string> w
 int run_hull(const Options& options, const Context& context) {
   const Clock::time_point start = Clock::now();
   std::vector<std::string> warnings;
-  std::vector<Point3> points;
-  for (const std::string& name : options.inputs) {
-    const std::vector<Point3> more = read_vertices(name, options, warnings, context);
-    points.insert(points.end(), more.begin(), more.end());
-  }
-  if (points.empty()) throw InputError("there are no points to take the hull of");
-  const ConvexHull hull = convex_hull(points, context);
-  Json details = counts_of(hull, points.size());
-  if (hull.dimension < 3) return report_flat(hull, std::move(details), std::move(warnings), options);
-  const Brep boundary = convex_boundary(hull, points, "hull");
-  return finish({boundary, "hull", std::move(warnings), start, std::move(details)}, options, context);
+  const InputPoints input = read_vertices(options.inputs, options, warnings, context);
+  return std::visit(
+      [&](const auto& points) {
+        if (points.empty()) throw InputError("there are no points to take the hull of");
+        const ConvexHull hull = convex_hull(points, context);
+        Json details = counts_of(hull, points.size());
+        if (hull.dimension < 3) {
+          return report_flat(hull.dimension, "all points are", std::move(details), std::move(warnings), options);
+        }
+        const Brep boundary = convex_boundary(hull, points, "hull");
+        return finish({boundary, "hull", std::move(warnings), start, std::move(details)}, options, context);
+      },
+      input);
 }
 
 int run_polytope_sum(const Options& options, const Context& context) {
   const Clock::time_point start = Clock::now();
   std::vector<std::string> warnings;
-  const Polytope p =
-      polytope_of(read_polytope(options.inputs[0], options, warnings, context), options.inputs[0], context);
-  const Polytope q =
-      polytope_of(read_polytope(options.inputs[1], options, warnings, context), options.inputs[1], context);
-  const PolytopeSum sum = minkowski_sum(p, q, context);
-  const Brep boundary = convex_boundary(exact_vertices(sum, p, q), sum.corners, sum.facet_begin, "sum");
-  Json details = counts(sum.vertices.size(), sum.edge_count(), sum.facet_count());
+  std::vector<Polytope> summands;
+  for (const std::string& name : options.inputs) {
+    summands.push_back(polytope_of(read_polytope(name, options, warnings, context), name, context));
+  }
+  const PolytopeSumOfMany sum = minkowski_sum(summands, context);
+  Json details{{"dimension", sum.dimension}};
+  details.update(counts(sum.vertex_count(), sum.edge_count(), sum.facet_count()));
+  if (sum.dimension < 3) {
+    return report_flat(sum.dimension, "the sum is", std::move(details), std::move(warnings), options);
+  }
+  const Brep boundary = convex_boundary(exact_vertices(sum, summands), sum.corners, sum.facet_begin, "sum");
   details["volume"] = volume(boundary, context).to_double();
   return finish({boundary, "minkowski", std::move(warnings), start, std::move(details)}, options, context);
 }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "quoin/cli/polytope_inputs.h"
 
+#include <iterator>
+#include <type_traits>
+
 #include "quoin/base/error.h"
 #include "quoin/cli/inputs.h"
 #include "quoin/polytope/notches.h"
@@ -9,25 +12,45 @@ namespace quoin::cli {
 
 namespace {
 
-Point3 doubles_of(const RationalPoint3& exact, const std::string& name) {
-  Point3 p;
-  for (unsigned axis = 0; axis < 3; ++axis) {
-    p[axis] = exact[axis].to_double();
-    if (Rational(p[axis]) == exact[axis]) continue;
-    throw InputError(shown(name) + ": a vertex has the coordinate " + exact[axis].to_string() +
-                     ", which is no double: hulls of such points are not made yet");
+/// Each vertex once, in the order of the corners.
+InputPoints vertices_of(const Brep& boundary) {
+  std::vector<bool> is_known(boundary.points.point_count());
+  std::vector<PointId> ids;
+  bool is_exact = true;
+  for (const PointId corner : boundary.loop_vertices) {
+    if (is_known[corner.index()]) continue;
+    is_known[corner.index()] = true;
+    ids.push_back(corner);
+    is_exact = is_exact && boundary.points.is_exact(corner);
   }
-  return p;
+  if (is_exact) {
+    std::vector<Point3> points;
+    for (const PointId id : ids) points.push_back(boundary.points.rounded(id));
+    return points;
+  }
+  std::vector<RationalPoint3> points;
+  for (const PointId id : ids) points.push_back(boundary.points.exact(id));
+  return points;
 }
 
-std::vector<Point3> vertices_of(const Input& input, const std::string& name) {
+InputPoints vertices_of(const Input& input, const std::string& name) {
   if (const Mesh* mesh = std::get_if<Mesh>(&input)) return mesh->vertices;
   const Brep& boundary = std::get<Brep>(input);
   if (boundary.is_unbounded) throw InputError(shown(name) + ": an unbounded solid has no convex hull but all of space");
-  std::vector<Point3> points;
-  points.reserve(boundary.loop_vertices.size());
-  for (const PointId corner : boundary.loop_vertices) points.push_back(doubles_of(boundary.points.exact(corner), name));
-  return points;
+  return vertices_of(boundary);
+}
+
+void append(InputPoints& points, InputPoints more) {
+  if (!std::holds_alternative<std::vector<Point3>>(points) || !std::holds_alternative<std::vector<Point3>>(more)) {
+    points = as_rationals(points);
+    more = as_rationals(more);
+  }
+  std::visit(
+      [&](auto& all) {
+        auto& others = std::get<std::remove_reference_t<decltype(all)>>(more);
+        all.insert(all.end(), std::make_move_iterator(others.begin()), std::make_move_iterator(others.end()));
+      },
+      points);
 }
 
 std::string text_of(const RationalPoint3& p) {
@@ -49,13 +72,24 @@ void require_convex(const Brep& boundary, const std::string& name, const Context
 
 }  // namespace
 
-std::vector<Point3> read_vertices(const std::string& name, const Options& options, std::vector<std::string>& warnings,
-                                  const Context& context) {
-  return vertices_of(read_input(name, options, warnings, context), name);
+std::vector<RationalPoint3> as_rationals(const InputPoints& points) {
+  if (const auto* rationals = std::get_if<std::vector<RationalPoint3>>(&points)) return *rationals;
+  std::vector<RationalPoint3> result;
+  for (const Point3& p : std::get<std::vector<Point3>>(points)) result.push_back(exact_point(p));
+  return result;
 }
 
-std::vector<Point3> read_polytope(const std::string& name, const Options& options, std::vector<std::string>& warnings,
-                                  const Context& context) {
+InputPoints read_vertices(std::span<const std::string> names, const Options& options,
+                          std::vector<std::string>& warnings, const Context& context) {
+  InputPoints points;
+  for (const std::string& name : names) {
+    append(points, vertices_of(read_input(name, options, warnings, context), name));
+  }
+  return points;
+}
+
+InputPoints read_polytope(const std::string& name, const Options& options, std::vector<std::string>& warnings,
+                          const Context& context) {
   const Input input = read_input(name, options, warnings, context);
   const Mesh* mesh = std::get_if<Mesh>(&input);
   if (mesh != nullptr && mesh->face_count() == 0) return mesh->vertices;
@@ -69,9 +103,9 @@ std::vector<Point3> read_polytope(const std::string& name, const Options& option
   return vertices_of(input, name);
 }
 
-Polytope polytope_of(const std::vector<Point3>& points, const std::string& name, const Context& context) {
+Polytope polytope_of(const InputPoints& points, const std::string& name, const Context& context) {
   try {
-    return Polytope::hull_of(points, context);
+    return std::visit([&](const auto& all) { return Polytope::hull_of(all, context); }, points);
   } catch (const InputError& error) {
     throw InputError(shown(name) + ": " + error.what());
   }

@@ -37,18 +37,11 @@ Json exact(const RationalPoint3& p) {
   return {p.x.to_string(), p.y.to_string(), p.z.to_string()};
 }
 
-/// @throws InputError where a sum is no double
-void translate(std::vector<Point3>& points, const std::string& text) {
+InputPoints translated(const InputPoints& points, const std::string& text) {
   const std::vector<Rational> by = parse_argument(text, 3, "--translate");
-  for (Point3& p : points) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const Rational moved = Rational(p[axis]) + by[axis];
-      p[axis] = moved.to_double();
-      if (std::isfinite(p[axis]) && Rational(p[axis]) == moved) continue;
-      throw InputError("--translate " + text + " moves a vertex to the coordinate " + moved.to_string() +
-                       ", which is no double");
-    }
-  }
+  std::vector<RationalPoint3> moved = as_rationals(points);
+  for (RationalPoint3& p : moved) p = p + RationalPoint3{by[0], by[1], by[2]};
+  return moved;
 }
 
 int print(Json report, const std::vector<std::string>& warnings, const Options& options) {
@@ -61,8 +54,8 @@ int print(Json report, const std::vector<std::string>& warnings, const Options& 
 
 int run_distance(const Options& options, const Context& context) {
   std::vector<std::string> warnings;
-  std::vector<Point3> points = read_polytope(options.inputs[0], options, warnings, context);
-  if (!options.translation.empty()) translate(points, options.translation);
+  InputPoints points = read_polytope(options.inputs[0], options, warnings, context);
+  if (!options.translation.empty()) points = translated(points, options.translation);
   const Polytope a = polytope_of(points, options.inputs[0], context);
   const Polytope b =
       polytope_of(read_polytope(options.inputs[1], options, warnings, context), options.inputs[1], context);

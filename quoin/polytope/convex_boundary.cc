@@ -2,8 +2,9 @@
 #include "quoin/polytope/convex_boundary.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
+
+#include "quoin/polytope/as_doubles.h"
 
 namespace quoin {
 
@@ -27,19 +28,22 @@ void add_facets(Brep& boundary, std::span<const std::uint32_t> corners, std::spa
   boundary.leaf_names.push_back(name);
 }
 
-/// Doubles, if all coordinates are.
-std::optional<std::vector<Point3>> as_doubles(const std::vector<RationalPoint3>& points) {
-  std::vector<Point3> result;
-  result.reserve(points.size());
-  for (const RationalPoint3& p : points) {
-    const Point3 rounded{p.x.to_double(), p.y.to_double(), p.z.to_double()};
-    for (unsigned axis = 0; axis < 3; ++axis) {
-      if (!std::isfinite(rounded[axis]) || Rational(rounded[axis]) != p[axis]) return std::nullopt;
+/// The vertices of a hull without the other points.
+template <class Point>
+struct VertexList {
+  VertexList(const ConvexHull& hull, std::span<const Point> points) {
+    std::vector<std::uint32_t> place(points.size(), 0);
+    vertices.reserve(hull.vertices.size());
+    for (const std::uint32_t v : hull.vertices) {
+      place[v] = static_cast<std::uint32_t>(vertices.size());
+      vertices.push_back(points[v]);
     }
-    result.push_back(rounded);
+    corners.reserve(hull.corners.size());
+    for (const std::uint32_t v : hull.corners) corners.push_back(place[v]);
   }
-  return result;
-}
+  std::vector<Point> vertices;
+  std::vector<std::uint32_t> corners;
+};
 
 }  // namespace
 
@@ -53,20 +57,16 @@ Brep convex_boundary(const std::vector<RationalPoint3>& vertices, std::span<cons
 }
 
 Brep convex_boundary(const ConvexHull& hull, std::span<const Point3> points, const std::string& name) {
-  std::vector<std::uint32_t> place(points.size(), 0);
-  std::vector<Point3> vertices;
-  vertices.reserve(hull.vertices.size());
-  for (const std::uint32_t v : hull.vertices) {
-    place[v] = static_cast<std::uint32_t>(vertices.size());
-    vertices.push_back(points[v]);
-  }
-  std::vector<std::uint32_t> corners;
-  corners.reserve(hull.corners.size());
-  for (const std::uint32_t v : hull.corners) corners.push_back(place[v]);
+  const VertexList<Point3> list(hull, points);
   Brep boundary;
-  boundary.points = Constructions(std::move(vertices));
-  add_facets(boundary, corners, hull.facet_begin, name);
+  boundary.points = Constructions(list.vertices);
+  add_facets(boundary, list.corners, hull.facet_begin, name);
   return boundary;
+}
+
+Brep convex_boundary(const ConvexHull& hull, std::span<const RationalPoint3> points, const std::string& name) {
+  const VertexList<RationalPoint3> list(hull, points);
+  return convex_boundary(list.vertices, list.corners, hull.facet_begin, name);
 }
 
 }  // namespace quoin

@@ -20,5 +20,6 @@ Brep convex_boundary(const std::vector<RationalPoint3>& vertices, std::span<cons
                      std::span<const std::size_t> facet_begin, const std::string& name);
 /// Of a hull of dimension 3.
 Brep convex_boundary(const ConvexHull& hull, std::span<const Point3> points, const std::string& name);
+Brep convex_boundary(const ConvexHull& hull, std::span<const RationalPoint3> points, const std::string& name);
 
 }  // namespace quoin

@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "quoin/kernel/call_grid.h"
 
@@ -18,8 +20,16 @@ Row<N> row(const detail::CallReader<N>& difference, const EdgeVector& v) {
   return {difference(v.to.x, v.from.x), difference(v.to.y, v.from.y), difference(v.to.z, v.from.z)};
 }
 
+Row<detail::RationalCallNumbers> rational_row(const EdgeVector& v) {
+  RationalPoint3 p = exact_vector(v);
+  return {std::move(p.x), std::move(p.y), std::move(p.z)};
+}
+
 template <class Formula>
-auto on_grid(const EdgeVector& a, const EdgeVector& b, const EdgeVector& c, const Formula& formula) {
+Sign on_grid(const EdgeVector& a, const EdgeVector& b, const EdgeVector& c, const Formula& formula) {
+  if (a.exact != nullptr || b.exact != nullptr || c.exact != nullptr) {
+    return formula.template operator()<detail::RationalCallNumbers>(rational_row(a), rational_row(b), rational_row(c));
+  }
   const std::array<double, 18> values{a.from.x, a.from.y, a.from.z, a.to.x, a.to.y, a.to.z,
                                       b.from.x, b.from.y, b.from.z, b.to.x, b.to.y, b.to.z,
                                       c.from.x, c.from.y, c.from.z, c.to.x, c.to.y, c.to.z};
@@ -29,7 +39,25 @@ auto on_grid(const EdgeVector& a, const EdgeVector& b, const EdgeVector& c, cons
   });
 }
 
+/// Zero, or rounded with all bits.
+bool is_kept(const Rational& exact, double rounded) {
+  return rounded == 0 ? exact.sign() == Sign::zero : std::fabs(rounded) > 0x1p-1000 && std::isfinite(rounded);
+}
+
 }  // namespace
+
+EdgeVector edge_vector(const RationalPoint3& exact) {
+  Point3 to{exact.x.to_double(), exact.y.to_double(), exact.z.to_double()};
+  if (!is_kept(exact.x, to.x) || !is_kept(exact.y, to.y) || !is_kept(exact.z, to.z)) {
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    to = {unknown, unknown, unknown};
+  }
+  return {{0, 0, 0}, to, &exact};
+}
+
+RationalPoint3 exact_vector(const EdgeVector& v) {
+  return v.exact != nullptr ? *v.exact : exact_point(v.to) - exact_point(v.from);
+}
 
 Sign exact_determinant(const EdgeVector& a, const EdgeVector& b, const EdgeVector& c) {
   return on_grid(a, b, c, []<class N>(const Row<N>& p, const Row<N>& q, const Row<N>& r) {
@@ -62,6 +90,28 @@ bool are_parallel(const EdgeVector& a, const EdgeVector& b) {
            }
            return Sign::zero;
          }) == Sign::zero;
+}
+
+bool point_one_way(const EdgeVector& a, const EdgeVector& b) {
+  if (!are_parallel(a, b)) return false;
+  for (unsigned axis = 0; axis < 3; ++axis) {
+    const Sign sign = component_sign(a, axis);
+    if (sign != Sign::zero) return component_sign(b, axis) == sign;
+  }
+  return false;
+}
+
+Sign component_sign(const EdgeVector& v, unsigned axis) {
+  if (v.exact != nullptr) return (*v.exact)[axis].sign();
+  return static_cast<Sign>((v.to[axis] > v.from[axis]) - (v.to[axis] < v.from[axis]));
+}
+
+Sign cross_sign(const EdgeVector& a, const EdgeVector& b, unsigned axis) {
+  return on_grid(a, b, a, [axis]<class N>(const Row<N>& r, const Row<N>& s, const Row<N>& /*same*/) {
+    const unsigned i = (axis + 1) % 3;
+    const unsigned j = (axis + 2) % 3;
+    return detail::cross<typename N::Quadratic>(r[i], r[j], s[i], s[j]).sign();
+  });
 }
 
 }  // namespace quoin

@@ -3,18 +3,28 @@
 
 #include <cmath>
 
+#include <cstddef>
+
 #include "quoin/base/sign.h"
 #include "quoin/kernel/point.h"
+#include "quoin/kernel/rational_point.h"
 
 namespace quoin {
 
-/// A vector between two points, and exact by these.
+/// A vector between two points, and exact by these; or by `exact`, where they are no doubles.
 struct EdgeVector {
   Point3 from;
   Point3 to;
+  const RationalPoint3* exact = nullptr;  ///< if there is one, `from` is zero and `to` the vector, rounded
 };
 
-/// Each component within u = 2^-53 of itself.
+/// Of a vector that lives as long as what is returned.
+EdgeVector edge_vector(const RationalPoint3& exact);
+
+RationalPoint3 exact_vector(const EdgeVector& v);
+
+/// Each component within u = 2^-53 of itself; or none is a number, where a rational is beyond what doubles can do so:
+/// every filter leaves such to the exact tier.
 inline Vector3 rounded(const EdgeVector& v) {
   return {v.to.x - v.from.x, v.to.y - v.from.y, v.to.z - v.from.z};
 }
@@ -77,5 +87,12 @@ Sign first_sign_of_double_cross(const EdgeVector& a, const EdgeVector& b, const 
 
 /// Exact.
 bool are_parallel(const EdgeVector& a, const EdgeVector& b);
+/// And of one direction.
+bool point_one_way(const EdgeVector& a, const EdgeVector& b);
+
+/// Sign of the component. Exact.
+Sign component_sign(const EdgeVector& v, unsigned axis);
+/// Sign of the component of a x b. Exact.
+Sign cross_sign(const EdgeVector& a, const EdgeVector& b, unsigned axis);
 
 }  // namespace quoin

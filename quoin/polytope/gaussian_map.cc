@@ -12,8 +12,8 @@ namespace {
 using Vector = std::array<Rational, 3>;
 
 Vector vector_of(const EdgeVector& v) {
-  return {Rational(v.to.x) - Rational(v.from.x), Rational(v.to.y) - Rational(v.from.y),
-          Rational(v.to.z) - Rational(v.from.z)};
+  RationalPoint3 p = exact_vector(v);
+  return {std::move(p.x), std::move(p.y), std::move(p.z)};
 }
 
 std::vector<SphereDirection> normals_of(const Polytope& p) {
@@ -28,7 +28,7 @@ std::vector<SphereDirection> normals_of(const Polytope& p) {
 
 }  // namespace
 
-/// An arc turns about its edge: that tells it also where it is half a turn long.
+/// An arc turns about its edge: that tells it also where it is half a turn long. That of a segment has no ends.
 GaussianMap gaussian_map(const Polytope& p, const Context& context) {
   GaussianMap map;
   const std::vector<SphereDirection> normals = normals_of(p);
@@ -37,8 +37,12 @@ GaussianMap gaussian_map(const Polytope& p, const Context& context) {
   for (std::uint32_t h = 0; h < p.halfedges().size(); ++h) {
     const Polytope::Halfedge& halfedge = p.halfedges()[h];
     if (halfedge.twin < h) continue;
-    family.add_arc(list, normals[halfedge.facet], normals[p.halfedges()[halfedge.twin].facet],
-                   SphereDirection(vector_of(p.edge(h))));
+    const SphereDirection about(vector_of(p.edge(h)));
+    if (halfedge.facet == Polytope::none) {
+      family.add_great_circle(list, about);
+    } else {
+      family.add_arc(list, normals[halfedge.facet], normals[p.halfedges()[halfedge.twin].facet], about);
+    }
     map.arcs.push_back(h);
   }
   map.arrangement = arrange(std::move(family), std::move(list), context);

@@ -16,7 +16,8 @@ namespace quoin {
 ///
 /// A facet is the vertex in the direction of its outward normal, an edge the arc between the normals of its two facets,
 /// a vertex the face of the directions in which it is extreme. Arcs that pass the identification (u = pi) are cut
-/// there, by vertices of two edges that are no facets.
+/// there, by vertices of two edges that are no facets. That of a segment is a great circle, that of a point all of the
+/// sphere.
 struct GaussianMap {
   GeodesicArrangement arrangement;
   std::vector<std::uint32_t> vertex_of_face;  ///< by face: the vertex of the polytope

@@ -86,6 +86,16 @@ TEST(GaussianMap, PublishedCounts) {
   EXPECT_EQ(counts_of_map(pyramid), (Counts{25, 80, 17}));
 }
 
+// Of what is no solid: lunes, two half spheres, all of the sphere. Facets that are cut arcs are none.
+TEST(GaussianMap, OfEveryDimension) {
+  using Counts = std::array<std::size_t, 3>;
+  EXPECT_EQ(counts_of_map({{1, 2, 3}}), (Counts{0, 0, 1}));
+  EXPECT_EQ(counts_of_map({{1, 2, 3}, {0, 0, 0}})[2], 2U);
+  EXPECT_EQ(counts_of_map({{0, 0, 0}, {0, 0, 2}})[2], 2U);
+  EXPECT_EQ(counts_of_map({{0, 0, 0}, {3, 0, 0}})[2], 2U);
+  EXPECT_EQ(counts_of_map({{0, 0, 0}, {1, 1, 0}, {0, 1, 2}})[2], 3U);
+}
+
 TEST(GaussianMap, OfRandomPolytopesAndBack) {
   for (std::uint64_t seed = 0; seed < test_rounds(400U); ++seed) {
     std::mt19937_64 random(seed);

@@ -98,7 +98,7 @@ ConvexHull hull_of_solid(std::span<const Point3> points, double largest, const S
     if (i % 256 == 0) context.poll();
     builder.insert(i);
   }
-  return join_facets(builder, ordered, order, context);
+  return join_facets(builder, order, context);
 }
 
 }  // namespace

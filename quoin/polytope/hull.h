@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "quoin/base/context.h"
+#include "quoin/kernel/constructions.h"
 #include "quoin/kernel/point.h"
+#include "quoin/kernel/rational_point.h"
 
 namespace quoin {
 
@@ -39,6 +41,14 @@ struct ConvexHull {
 /// Source: Clarkson and Shor 1989; Amenta, Choi and Rote 2003 (rounds); Edelsbrunner 1990 (why the walk ends).
 /// @throws InputError naming a point that is not finite, Cancelled
 ConvexHull convex_hull(std::span<const Point3> points, const Context& context);
+
+/// Of points of a table, given or constructed: the same hull as of doubles, by indices into the list. Signs come from
+/// the rounded points where their errors allow, else from the table.
+/// @throws InputError naming a point that rounds to no finite double, Cancelled
+ConvexHull convex_hull(const Constructions& table, std::span<const PointId> points, const Context& context);
+
+/// Of rationals. @throws as that of a table
+ConvexHull convex_hull(std::span<const RationalPoint3> points, const Context& context);
 
 /// Of points of the plane: facets are edges for dimension 2, each from its first to its second corner with the hull on
 /// the left; they are in counterclockwise order from the lexicographically smallest point.

@@ -16,19 +16,29 @@ namespace {
 
 constexpr double u = 0x1p-53;
 
-Sign orientation_of(const RationalPoint3& a, const RationalPoint3& b, const RationalPoint3& c,
-                    const RationalPoint3& d) {
+Sign exact_orientation(const RationalPoint3& a, const RationalPoint3& b, const RationalPoint3& c,
+                       const RationalPoint3& d) {
   return dot(cross(b - a, c - a), d - a).sign();
 }
 
 }  // namespace
 
 HullBuilder::HullBuilder(std::span<const Point3> points) : points_(points) {
-  for (const Point3& p : points) {
+  start();
+  find_centre();
+}
+
+HullBuilder::HullBuilder(std::span<const Point3> rounded, const Constructions& table, std::span<const PointId> ids)
+    : points_(rounded), table_(&table), ids_(ids) {
+  start();
+}
+
+void HullBuilder::start() {
+  for (const Point3& p : points_) {
     largest_ = std::max({largest_, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
   }
   std::array<std::uint32_t, 4> p{0, 1, 2, 3};
-  if (orientation(points[0], points[1], points[2], points[3]) == Sign::positive) std::swap(p[1], p[2]);
+  if (orientation_of(0, 1, 2, 3) == Sign::positive) std::swap(p[1], p[2]);
   // From outside, the triangle opposite to corner 3 turns left.
   const std::array<std::array<std::uint32_t, 3>, 4> faces{
       {{p[0], p[1], p[2]}, {p[0], p[3], p[1]}, {p[1], p[3], p[2]}, {p[2], p[3], p[0]}}};
@@ -37,7 +47,15 @@ HullBuilder::HullBuilder(std::span<const Point3> points) : points_(points) {
   triangles_[1].across = {3, 2, 0};
   triangles_[2].across = {1, 3, 0};
   triangles_[3].across = {2, 1, 0};
-  find_centre();
+}
+
+Sign HullBuilder::orientation_of(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const {
+  if (table_ != nullptr) return table_->orientation_any(ids_[a], ids_[b], ids_[c], ids_[d]);
+  return orientation(points_[a], points_[b], points_[c], points_[d]);
+}
+
+RationalPoint3 HullBuilder::exact(std::uint32_t point) const {
+  return table_ != nullptr ? table_->exact(ids_[point]) : exact_point(points_[point]);
 }
 
 void HullBuilder::reserve(std::size_t vertices) {
@@ -51,13 +69,19 @@ void HullBuilder::find_centre() {
     centre_[axis] = (points_[0][axis] / 4 + points_[1][axis] / 4) + (points_[2][axis] / 4 + points_[3][axis] / 4);
   }
   has_centre_ = true;
-  for (std::uint32_t t = 0; t < 4; ++t) has_centre_ = has_centre_ && exact_side(t, centre_) == Sign::negative;
+  for (std::uint32_t t = 0; t < 4; ++t) {
+    const auto& [a, b, c] = triangles_[t].corners;
+    has_centre_ = has_centre_ && orientation(points_[a], points_[b], points_[c], centre_) == Sign::negative;
+  }
 }
 
 /// With M the largest coordinate, n = (b - a) x (c - a) and P the sum of the magnitudes of its products: n errs by
 /// 4 u P, which tells by 8 u M P over a distance of 2 M; the offset n.a by 3 u M P, the evaluation by 8 u M P.
 /// Twenty-four pay for the rest. What falls below the range of doubles is less than 2^-1070 in n, which 2^-1000 M pays
 /// for, and 2^-120 in the evaluation. Infinite or no number: decides nothing.
+///
+/// Coordinates of points of a table err by u M (below M = 2^-1000, where that may be less than a unit, 2^-120 pays):
+/// six products of three differences of at most 2 M, each off by 2 u M, by 144 u M^3 together.
 std::uint32_t HullBuilder::new_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
   std::uint32_t triangle;
   if (free_.empty()) {
@@ -75,59 +99,60 @@ std::uint32_t HullBuilder::new_triangle(std::uint32_t a, std::uint32_t b, std::u
   planes_[triangle] = {n.x, n.y, n.z, n.x * p.x + n.y * p.y + n.z * p.z};
   Triangle& t = triangles_[triangle];
   t.corners = {a, b, c};
-  const double slack = (24 * u * (1 + 0x1p-20)) * largest_ * products + 0x1p-1000 * largest_ + 0x1p-120;
+  double slack = (24 * u * (1 + 0x1p-20)) * largest_ * products + 0x1p-1000 * largest_ + 0x1p-120;
+  if (table_ != nullptr) slack += 160 * u * largest_ * largest_ * largest_;
   constexpr double most = std::numeric_limits<float>::max();
   t.slack = slack < most ? static_cast<float>(slack) : std::numeric_limits<float>::infinity();
   return triangle;
 }
 
-Sign HullBuilder::exact_side(std::uint32_t triangle, const Point3& p) const {
+Sign HullBuilder::exact_side(std::uint32_t triangle, std::uint32_t point) const {
   const std::array<std::uint32_t, 3>& corners = triangles_[triangle].corners;
-  return orientation(points_[corners[0]], points_[corners[1]], points_[corners[2]], p);
+  return orientation_of(corners[0], corners[1], corners[2], point);
 }
 
 /// Negative where the plane through the centre and the edge separates p from the triangle.
-Sign HullBuilder::side_from_centre(const Triangle& triangle, unsigned edge, const Point3& p) const {
-  if (!has_centre_) return side_from_mean(triangle, edge, p);
-  return orientation(centre_, points_[triangle.corners[edge]], points_[triangle.corners[next(edge)]], p);
+Sign HullBuilder::side_from_centre(const Triangle& triangle, unsigned edge, std::uint32_t point) const {
+  if (!has_centre_) return side_from_mean(triangle, edge, point);
+  return orientation(centre_, points_[triangle.corners[edge]], points_[triangle.corners[next(edge)]], points_[point]);
 }
 
 /// The determinant is affine in each point: where its signs for the four points agree, their mean has that sign.
-Sign HullBuilder::side_from_mean(const Triangle& triangle, unsigned edge, const Point3& p) const {
-  const Point3& a = points_[triangle.corners[edge]];
-  const Point3& b = points_[triangle.corners[next(edge)]];
+Sign HullBuilder::side_from_mean(const Triangle& triangle, unsigned edge, std::uint32_t point) const {
+  const std::uint32_t a = triangle.corners[edge];
+  const std::uint32_t b = triangle.corners[next(edge)];
   bool has_positive = false;
   bool has_negative = false;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const Sign sign = orientation(points_[i], a, b, p);
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    const Sign sign = orientation_of(i, a, b, point);
     has_positive = has_positive || sign == Sign::positive;
     has_negative = has_negative || sign == Sign::negative;
   }
   if (!has_negative) return has_positive ? Sign::positive : Sign::zero;
   if (!has_positive) return Sign::negative;
   RationalPoint3 mean{0, 0, 0};
-  for (std::size_t i = 0; i < 4; ++i) mean = mean + exact_point(points_[i]);
+  for (std::uint32_t i = 0; i < 4; ++i) mean = mean + exact(i);
   mean = mean * Rational(0.25);
-  return orientation_of(mean, exact_point(a), exact_point(b), exact_point(p));
+  return exact_orientation(mean, exact(a), exact(b), exact(point));
 }
 
-/// A triangle that sees p, or none.
-std::uint32_t HullBuilder::locate(const Point3& p) const {
+/// A triangle that sees the point, or none.
+std::uint32_t HullBuilder::locate(std::uint32_t point) const {
   std::uint32_t triangle = hint_;
   std::uint32_t from = none;
   for (;;) {
-    if (side(triangle, p) == Sign::positive) return triangle;
+    if (side(triangle, point) == Sign::positive) return triangle;
     const Triangle& t = triangles_[triangle];
     unsigned k = 0;
-    while (k < 3 && (t.across[k] == from || side_from_centre(t, k, p) != Sign::negative)) ++k;
+    while (k < 3 && (t.across[k] == from || side_from_centre(t, k, point) != Sign::negative)) ++k;
     if (k == 3) return none;
     from = triangle;
     triangle = t.across[k];
   }
 }
 
-/// Marks all that see p; an edge between these and the others, of one that sees it.
-HullBuilder::Edge HullBuilder::mark_visible(std::uint32_t first, const Point3& p) {
+/// Marks all that see the point; an edge between these and the others, of one that sees it.
+HullBuilder::Edge HullBuilder::mark_visible(std::uint32_t first, std::uint32_t point) {
   if (epoch_ > none - 4) {
     epoch_ = 0;
     for (Triangle& t : triangles_) t.mark = 0;
@@ -143,7 +168,7 @@ HullBuilder::Edge HullBuilder::mark_visible(std::uint32_t first, const Point3& p
       std::uint32_t& mark = triangles_[across].mark;
       if (mark == epoch_) continue;
       if (mark != epoch_ + 1) {
-        if (side(across, p) == Sign::positive) {
+        if (side(across, point) == Sign::positive) {
           mark = epoch_;
           visible_.push_back(across);
           continue;
@@ -194,10 +219,9 @@ void HullBuilder::replace_visible(const Edge& rim, std::uint32_t point) {
 }
 
 bool HullBuilder::insert(std::uint32_t point) {
-  const Point3& p = points_[point];
-  const std::uint32_t first = locate(p);
+  const std::uint32_t first = locate(point);
   if (first == none) return false;
-  replace_visible(mark_visible(first, p), point);
+  replace_visible(mark_visible(first, point), point);
   return true;
 }
 

@@ -8,6 +8,7 @@
 
 #include "quoin/base/large_vector.h"
 #include "quoin/base/sign.h"
+#include "quoin/kernel/constructions.h"
 #include "quoin/kernel/point.h"
 
 namespace quoin {
@@ -34,6 +35,8 @@ class HullBuilder {
 
   /// The points stay where they are while the builder lives. The first four are affinely independent.
   explicit HullBuilder(std::span<const Point3> points);
+  /// Of points of a table, by their rounded coordinates and their ids; both stay where they are.
+  HullBuilder(std::span<const Point3> rounded, const Constructions& table, std::span<const PointId> ids);
 
   /// For as many points on the hull.
   void reserve(std::size_t vertices);
@@ -41,13 +44,13 @@ class HullBuilder {
   bool insert(std::uint32_t point);
 
   const LargeVector<Triangle>& triangles() const { return triangles_; }
-  /// Where a point lies to the plane of a triangle: positive outside.
-  Sign side(std::uint32_t triangle, const Point3& p) const {
-    const double value = distance(triangle, p);
+  /// Where a point of the list lies to the plane of a triangle: positive outside.
+  Sign side(std::uint32_t triangle, std::uint32_t point) const {
+    const double value = distance(triangle, points_[point]);
     const double slack = triangles_[triangle].slack;
     if (value > slack) return Sign::positive;
     if (value < -slack) return Sign::negative;
-    return exact_side(triangle, p);
+    return exact_side(triangle, point);
   }
   /// In doubles; off by the triangle's `slack` at most for every point of the list.
   struct Plane {
@@ -76,16 +79,21 @@ class HullBuilder {
     const Plane& plane = planes_[triangle];
     return plane.x * p.x + plane.y * p.y + plane.z * p.z - plane.offset;
   }
-  Sign exact_side(std::uint32_t triangle, const Point3& p) const;
+  void start();
+  Sign orientation_of(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const;
+  RationalPoint3 exact(std::uint32_t point) const;
+  Sign exact_side(std::uint32_t triangle, std::uint32_t point) const;
   void find_centre();
-  Sign side_from_centre(const Triangle& triangle, unsigned edge, const Point3& p) const;
-  Sign side_from_mean(const Triangle& triangle, unsigned edge, const Point3& p) const;
-  std::uint32_t locate(const Point3& p) const;
-  Edge mark_visible(std::uint32_t first, const Point3& p);
+  Sign side_from_centre(const Triangle& triangle, unsigned edge, std::uint32_t point) const;
+  Sign side_from_mean(const Triangle& triangle, unsigned edge, std::uint32_t point) const;
+  std::uint32_t locate(std::uint32_t point) const;
+  Edge mark_visible(std::uint32_t first, std::uint32_t point);
   void replace_visible(const Edge& rim, std::uint32_t point);
   std::uint32_t new_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
 
   std::span<const Point3> points_;
+  const Constructions* table_ = nullptr;  // if the points are but rounded
+  std::span<const PointId> ids_;
   double largest_ = 0;  // coordinate
   LargeVector<Triangle> triangles_;
   LargeVector<Plane> planes_;
@@ -94,7 +102,8 @@ class HullBuilder {
   std::uint32_t epoch_ = 0;  // marks: what the last point sees, and one more: what was asked and does not
   std::uint32_t hint_ = 0;
   Point3 centre_{};
-  bool has_centre_ = false;  // else it is the mean of the first four points, which no double is near enough to
+  bool has_centre_ = false;  // else it is the mean of the first four points: no double is near enough, or they are of a
+                             // table
 };
 
 }  // namespace quoin

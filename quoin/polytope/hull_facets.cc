@@ -11,15 +11,13 @@ namespace {
 
 class FacetJoiner {
  public:
-  FacetJoiner(const HullBuilder& builder, std::span<const Point3> points, std::span<const std::uint32_t> names,
-              const Context& context)
+  FacetJoiner(const HullBuilder& builder, std::span<const std::uint32_t> names, const Context& context)
       : builder_(builder),
         triangles_(builder.triangles()),
-        points_(points),
         names_(names),
         context_(context),
         edges_(triangles_.size(), 0),
-        rims_(points.size(), 0) {}
+        rims_(names.size(), 0) {}
 
   ConvexHull join() {
     find_flat_edges();
@@ -57,7 +55,7 @@ class FacetJoiner {
         if (across < t) continue;
         const unsigned back = index_in(across, t);
         const std::uint32_t opposite = triangles_[across].corners[next(next(back))];
-        if (builder_.side(t, points_[opposite]) == Sign::zero) {
+        if (builder_.side(t, opposite) == Sign::zero) {
           edges_[t] |= flat(k);
           edges_[across] |= flat(back);
         } else {
@@ -86,7 +84,6 @@ class FacetJoiner {
 
   const HullBuilder& builder_;
   const LargeVector<HullBuilder::Triangle>& triangles_;
-  std::span<const Point3> points_;
   std::span<const std::uint32_t> names_;
   const Context& context_;
   std::vector<std::uint8_t> edges_;  // by triangle: which are flat, which belong to a facet already
@@ -95,9 +92,8 @@ class FacetJoiner {
 
 }  // namespace
 
-ConvexHull join_facets(const HullBuilder& builder, std::span<const Point3> points, std::span<const std::uint32_t> names,
-                       const Context& context) {
-  return FacetJoiner(builder, points, names, context).join();
+ConvexHull join_facets(const HullBuilder& builder, std::span<const std::uint32_t> names, const Context& context) {
+  return FacetJoiner(builder, names, context).join();
 }
 
 void put_in_order(ConvexHull& hull, std::size_t name_count) {

@@ -10,10 +10,9 @@
 
 namespace quoin {
 
-/// Joins coplanar triangles of a finished hull to facets, and drops what is no vertex then. `points` are those of the
-/// builder, `names` what they are called in the result. O(n), exact.
-ConvexHull join_facets(const HullBuilder& builder, std::span<const Point3> points, std::span<const std::uint32_t> names,
-                       const Context& context);
+/// Joins coplanar triangles of a finished hull to facets, and drops what is no vertex then. `names`: what the points of
+/// the builder are called in the result. O(n), exact.
+ConvexHull join_facets(const HullBuilder& builder, std::span<const std::uint32_t> names, const Context& context);
 
 /// Every facet from its smallest corner on, facets in lexicographic order, and the vertices. `name_count`: names are
 /// smaller. O(n) where few facets begin at a vertex.

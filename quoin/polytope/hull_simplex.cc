@@ -18,7 +18,7 @@ Point2 project(const Point3& p, unsigned axis) {
   return axis == 0 ? Point2{p.y, p.z} : axis == 1 ? Point2{p.z, p.x} : Point2{p.x, p.y};
 }
 
-bool are_collinear(const Point3& a, const Point3& b, const Point3& c) {
+bool collinear(const Point3& a, const Point3& b, const Point3& c) {
   for (unsigned axis = 0; axis < 3; ++axis) {
     if (orientation(project(a, axis), project(b, axis), project(c, axis)) != Sign::zero) return false;
   }
@@ -57,6 +57,74 @@ std::uint32_t best_point(std::size_t count, const Context& context, const Measur
   return none;
 }
 
+/// `points` may be rounded: they suggest what is far, and `signs` decide.
+template <class Signs>
+Simplex find_simplex_by(std::span<const Point3> points, const Signs& signs, const Context& context) {
+  Simplex result;
+  if (points.empty()) return result;
+  std::uint32_t least = 0;
+  std::uint32_t largest = 0;
+  for (std::uint32_t i = 1; i < points.size(); ++i) {
+    if (signs.is_less(i, least)) least = i;
+    if (signs.is_less(largest, i)) largest = i;
+  }
+  result.points[result.count++] = least;
+  if (!signs.is_less(least, largest)) return result;
+  result.points[result.count++] = largest;
+  const Point3& a = points[least];
+  const Vector3 along = direction(a, points[largest]);
+  const std::uint32_t third = best_point(
+      points.size(), context,
+      [&](std::uint32_t i) {
+        const Point3& p = points[i];
+        const Vector3 n = cross(along, {p.x / 2 - a.x / 2, p.y / 2 - a.y / 2, p.z / 2 - a.z / 2});
+        return std::fabs(n.x) + std::fabs(n.y) + std::fabs(n.z);
+      },
+      [&](std::uint32_t i) { return !signs.are_collinear(least, largest, i); });
+  if (third == none) return result;
+  result.points[result.count++] = third;
+  const Vector3 normal = cross(along, direction(a, points[third]));
+  const std::uint32_t fourth = best_point(
+      points.size(), context,
+      [&](std::uint32_t i) {
+        const Point3& p = points[i];
+        return std::fabs(normal.x * (p.x / 2 - a.x / 2) + normal.y * (p.y / 2 - a.y / 2) +
+                         normal.z * (p.z / 2 - a.z / 2));
+      },
+      [&](std::uint32_t i) { return !signs.are_coplanar(least, largest, third, i); });
+  if (fourth == none) return result;
+  result.points[result.count++] = fourth;
+  return result;
+}
+
+struct SignsOfDoubles {
+  std::span<const Point3> points;
+  bool is_less(std::uint32_t i, std::uint32_t k) const { return lexicographically_less(points[i], points[k]); }
+  bool are_collinear(std::uint32_t i, std::uint32_t k, std::uint32_t l) const {
+    return collinear(points[i], points[k], points[l]);
+  }
+  bool are_coplanar(std::uint32_t i, std::uint32_t k, std::uint32_t l, std::uint32_t m) const {
+    return orientation(points[i], points[k], points[l], points[m]) == Sign::zero;
+  }
+};
+
+struct SignsOfTable {
+  const Constructions& table;
+  std::span<const PointId> ids;
+  bool is_less(std::uint32_t i, std::uint32_t k) const {
+    return table.compare_lexicographically(ids[i], ids[k]) == Sign::negative;
+  }
+  bool are_collinear(std::uint32_t i, std::uint32_t k, std::uint32_t l) const {
+    for (unsigned axis = 0; axis < 3; ++axis) {
+      if (table.turn_any(ids[i], ids[k], ids[l], axis) != Sign::zero) return false;
+    }
+    return true;
+  }
+  bool are_coplanar(std::uint32_t i, std::uint32_t k, std::uint32_t l, std::uint32_t m) const {
+    return table.orientation_any(ids[i], ids[k], ids[l], ids[m]) == Sign::zero;
+  }
+};
+
 }  // namespace
 
 unsigned axis_to_drop(const Point3& a, const Point3& b, const Point3& c) {
@@ -67,43 +135,12 @@ unsigned axis_to_drop(const Point3& a, const Point3& b, const Point3& c) {
 }
 
 Simplex find_simplex(std::span<const Point3> points, const Context& context) {
-  Simplex result;
-  if (points.empty()) return result;
-  std::uint32_t least = 0;
-  std::uint32_t largest = 0;
-  for (std::uint32_t i = 1; i < points.size(); ++i) {
-    if (lexicographically_less(points[i], points[least])) least = i;
-    if (lexicographically_less(points[largest], points[i])) largest = i;
-  }
-  result.points[result.count++] = least;
-  const Point3& a = points[least];
-  const Point3& b = points[largest];
-  if (a == b) return result;
-  result.points[result.count++] = largest;
-  const Vector3 along = direction(a, b);
-  const std::uint32_t third = best_point(
-      points.size(), context,
-      [&](std::uint32_t i) {
-        const Point3& p = points[i];
-        const Vector3 n = cross(along, {p.x / 2 - a.x / 2, p.y / 2 - a.y / 2, p.z / 2 - a.z / 2});
-        return std::fabs(n.x) + std::fabs(n.y) + std::fabs(n.z);
-      },
-      [&](std::uint32_t i) { return !are_collinear(a, b, points[i]); });
-  if (third == none) return result;
-  result.points[result.count++] = third;
-  const Point3& c = points[third];
-  const Vector3 normal = cross(along, direction(a, c));
-  const std::uint32_t fourth = best_point(
-      points.size(), context,
-      [&](std::uint32_t i) {
-        const Point3& p = points[i];
-        return std::fabs(normal.x * (p.x / 2 - a.x / 2) + normal.y * (p.y / 2 - a.y / 2) +
-                         normal.z * (p.z / 2 - a.z / 2));
-      },
-      [&](std::uint32_t i) { return orientation(a, b, c, points[i]) != Sign::zero; });
-  if (fourth == none) return result;
-  result.points[result.count++] = fourth;
-  return result;
+  return find_simplex_by(points, SignsOfDoubles{points}, context);
+}
+
+Simplex find_simplex(std::span<const Point3> rounded, const Constructions& table, std::span<const PointId> ids,
+                     const Context& context) {
+  return find_simplex_by(rounded, SignsOfTable{table, ids}, context);
 }
 
 std::vector<std::uint32_t> extremes(std::span<const Point3> points, const Context& context) {

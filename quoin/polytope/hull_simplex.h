@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "quoin/base/context.h"
+#include "quoin/kernel/constructions.h"
 #include "quoin/kernel/point.h"
 
 namespace quoin {
@@ -18,6 +19,9 @@ struct Simplex {
   unsigned count = 0;
 };
 Simplex find_simplex(std::span<const Point3> points, const Context& context);
+/// Of points of a table, by their rounded coordinates and their ids.
+Simplex find_simplex(std::span<const Point3> rounded, const Constructions& table, std::span<const PointId> ids,
+                     const Context& context);
 
 /// The axis along which a plane projects without loss: the normal of the triangle is not perpendicular to it. The first
 /// such axis.

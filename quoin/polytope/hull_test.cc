@@ -278,8 +278,8 @@ TEST(ConvexHull, TinyTrianglesSeeHugePointsRightly) {
     const HullBuilder builder(points);
     for (std::uint32_t t = 0; t < builder.triangles().size(); ++t) {
       const auto& [a, b, c] = builder.triangles()[t].corners;
-      for (const Point3& p : points) {
-        ASSERT_EQ(builder.side(t, p), orientation(points[a], points[b], points[c], p));
+      for (std::uint32_t p = 0; p < points.size(); ++p) {
+        ASSERT_EQ(builder.side(t, p), orientation(points[a], points[b], points[c], points[p]));
       }
     }
     ASSERT_NO_FATAL_FAILURE(check(points));

@@ -9,7 +9,8 @@
 
 namespace quoin {
 
-MapOverlay::MapOverlay(const Polytope& p, const Polytope& q, MapPredicates& predicates, const Context& context)
+MapOverlay::MapOverlay(const PolytopeShape& p, const PolytopeShape& q, MapPredicates& predicates,
+                       const Context& context)
     : p_(p),
       q_(q),
       predicates_(predicates),
@@ -48,7 +49,7 @@ void MapOverlay::walk_all(const Context& context) {
     const std::uint32_t first = p_.first_halfedge(facet);
     std::uint32_t h = first;
     do {
-      const Polytope::Halfedge& halfedge = p_.halfedges()[h];
+      const PolytopeShape::Halfedge& halfedge = p_.halfedges()[h];
       if (!is_walked(halfedge.twin)) {
         const std::uint32_t target = p_.halfedges()[halfedge.twin].facet;
         const std::uint32_t region = walk(h, region_of_p_facet_[facet]);
@@ -89,7 +90,7 @@ std::uint32_t MapOverlay::walk(std::uint32_t halfedge, std::uint32_t region) {
 /// Of P, before and behind a crossing along the forward direction of the arc of Q. Along its halfedge q the arc leads
 /// from the region on the left of the arc of P to that on its right.
 std::pair<std::uint32_t, std::uint32_t> MapOverlay::regions_of(std::uint32_t crossing) const {
-  const Polytope::Halfedge& arc = p_.halfedges()[crossings_[crossing].p];
+  const PolytopeShape::Halfedge& arc = p_.halfedges()[crossings_[crossing].p];
   if (is_forward(q_, crossings_[crossing].q)) return {arc.head, arc.tail};
   return {arc.tail, arc.head};
 }

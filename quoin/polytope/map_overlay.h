@@ -8,7 +8,7 @@
 
 #include "quoin/base/context.h"
 #include "quoin/polytope/map_predicates.h"
-#include "quoin/polytope/polytope.h"
+#include "quoin/polytope/polytope_shape.h"
 
 namespace quoin {
 
@@ -24,7 +24,7 @@ class MapOverlay {
     std::uint32_t q;  ///< halfedge of Q, from the region that the arc leaves to the one that it enters
   };
 
-  MapOverlay(const Polytope& p, const Polytope& q, MapPredicates& predicates, const Context& context);
+  MapOverlay(const PolytopeShape& p, const PolytopeShape& q, MapPredicates& predicates, const Context& context);
 
   const std::vector<Crossing>& crossings() const { return crossings_; }
 
@@ -34,7 +34,7 @@ class MapOverlay {
   std::uint32_t begin_on_p(std::uint32_t halfedge) const { return begin_on_p_[halfedge]; }
   std::uint32_t count_on_p(std::uint32_t halfedge) const { return count_on_p_[halfedge]; }
   /// Arcs of Q run along the smaller of their two halfedges. Numbers of crossings, in order along it.
-  static bool is_forward(const Polytope& polytope, std::uint32_t halfedge) {
+  static bool is_forward(const PolytopeShape& polytope, std::uint32_t halfedge) {
     return halfedge < polytope.halfedges()[halfedge].twin;
   }
   std::span<const std::uint32_t> on_q(std::uint32_t halfedge) const {
@@ -58,8 +58,8 @@ class MapOverlay {
   void order_chain(std::span<std::uint32_t> chain);
   void find_regions_of_q_facets();
 
-  const Polytope& p_;
-  const Polytope& q_;
+  const PolytopeShape& p_;
+  const PolytopeShape& q_;
   MapPredicates& predicates_;
   std::vector<Crossing> crossings_;
   std::vector<std::uint32_t> begin_on_p_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "quoin/polytope/polytope.h"
+#include "quoin/polytope/polytope_shape.h"
 
 namespace quoin {
 
@@ -10,7 +10,7 @@ namespace quoin {
 /// Every answer belongs to that one rotated pair, so together they are consistent. Exact.
 class MapPredicates {
  public:
-  MapPredicates(const Polytope& p, const Polytope& q) : p_(p), q_(q) {}
+  MapPredicates(const PolytopeShape& p, const PolytopeShape& q) : p_(p), q_(q) {}
 
   /// n.d for the normal of a facet of P and a halfedge of Q. To first order the rotation adds w.(d x n).
   Sign side_of_normal(std::uint32_t facet, std::uint32_t halfedge) {
@@ -38,8 +38,8 @@ class MapPredicates {
     return exact_determinant(p_.edge(h), p_.edge(p_.halfedges()[h].next), q_.edge(halfedge));
   }
 
-  const Polytope& p_;
-  const Polytope& q_;
+  const PolytopeShape& p_;
+  const PolytopeShape& q_;
   bool has_ties_ = false;
 };
 

@@ -11,88 +11,37 @@
 #include <random>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "quoin/base/error.h"
 #include "quoin/base/test_rounds.h"
 #include "quoin/polytope/hull.h"
 #include "quoin/polytope/test_polytopes.h"
+#include "quoin/polytope/test_sums.h"
 
 namespace quoin {
 namespace {
 
 using namespace test_polytopes;
-using Corner = std::array<double, 3>;
-using Facets = std::set<std::vector<Corner>>;
-
-/// From the smallest corner on.
-std::vector<Corner> rotated(std::vector<Corner> facet) {
-  std::rotate(facet.begin(), std::min_element(facet.begin(), facet.end()), facet.end());
-  return facet;
-}
-
-Facets facets_by_hull(const Points& a, const Points& b) {
-  Points sums;
-  for (const Point3& p : a) {
-    for (const Point3& q : b) sums.push_back({p.x + q.x, p.y + q.y, p.z + q.z});
-  }
-  const ConvexHull hull = convex_hull(sums, one_thread);
-  Facets facets;
-  for (std::size_t f = 0; f < hull.facet_count(); ++f) {
-    std::vector<Corner> facet;
-    for (const std::uint32_t v : hull.facet(f)) facet.push_back({sums[v].x, sums[v].y, sums[v].z});
-    facets.insert(rotated(facet));
-  }
-  return facets;
-}
-
-Facets facets_of(const PolytopeSum& sum, const Polytope& p, const Polytope& q) {
-  Facets facets;
-  for (std::size_t f = 0; f < sum.facet_count(); ++f) {
-    std::vector<Corner> facet;
-    for (const std::uint32_t v : sum.facet(f)) {
-      const Point3& a = p.vertex(sum.vertices[v][0]);
-      const Point3& b = q.vertex(sum.vertices[v][1]);
-      facet.push_back({a.x + b.x, a.y + b.y, a.z + b.z});
-    }
-    facets.insert(rotated(facet));
-  }
-  return facets;
-}
-
-struct Counts {
-  std::size_t vertices;
-  std::size_t edges;
-  std::size_t facets;
-  friend bool operator==(const Counts&, const Counts&) = default;
-  friend std::ostream& operator<<(std::ostream& out, const Counts& c) {
-    return out << c.vertices << "/" << c.edges << "/" << c.facets;
-  }
-};
-
 /// Both orders of the arguments, compared with the hull.
 Counts check_sum(const Points& a, const Points& b) {
   const Polytope p = Polytope::hull_of(a, one_thread);
   const Polytope q = Polytope::hull_of(b, one_thread);
   const PolytopeSum sum = minkowski_sum(p, q, one_thread);
-  const Counts counts{sum.vertices.size(), sum.edge_count(), sum.facet_count()};
-  EXPECT_EQ(counts.vertices + counts.facets, counts.edges + 2);
-  const Facets expected = facets_by_hull(a, b);
-  const Facets found = facets_of(sum, p, q);
-  EXPECT_EQ(found.size(), sum.facet_count());
+  const Counts counts{sum.vertex_count(), sum.edge_count(), sum.facet_count()};
+  if (sum.dimension == 3) {
+    EXPECT_EQ(counts.vertices + counts.facets, counts.edges + 2);
+  }
+  const Cells expected = cells_of_hull(all_sums(std::array{a, b}));
+  const Cells found = cells_of_sum(sum, exact_vertices(sum, p, q));
+  EXPECT_EQ(found.facets.size(), sum.facet_count());
+  EXPECT_EQ(found.vertices.size(), sum.vertex_count());
   EXPECT_EQ(found, expected);
-  EXPECT_EQ(facets_of(minkowski_sum(q, p, one_thread), q, p), expected);
+  const PolytopeSum swapped = minkowski_sum(q, p, one_thread);
+  EXPECT_EQ(cells_of_sum(swapped, exact_vertices(swapped, q, p)), expected);
   return counts;
 }
-
-Points scaled(Points points, double factor) {
-  for (Point3& p : points) p = {p.x * factor, p.y * factor, p.z * factor};
-  return points;
-}
-
-const Points cube{{-1, -1, -1}, {1, -1, -1}, {-1, 1, -1}, {1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {-1, 1, 1}, {1, 1, 1}};
-const Points octahedron{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
-const Points tetrahedron{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
 
 // Minkowski thesis, sums with certain answers.
 TEST(MinkowskiSum, KnownCounts) {
@@ -101,6 +50,43 @@ TEST(MinkowskiSum, KnownCounts) {
   EXPECT_EQ(check_sum(tetrahedron, scaled(tetrahedron, -1)), (Counts{12, 24, 14}));
   EXPECT_EQ(check_sum(cube, octahedron), (Counts{24, 48, 26}));
   EXPECT_EQ(check_sum(tetrahedron, cube), (Counts{16, 24, 10}));
+}
+
+/// By a quarter of a turn about the x axis, exactly.
+Points turned(Points points) {
+  for (Point3& p : points) p = {p.x, -p.z, p.y};
+  return points;
+}
+
+// The same table: a pyramid over a polygon of sixteen sides, and its copy turned, share two normals of their bases; and
+// ellipsoids of revolution, with rings of quadrilaterals that are planar whatever the radii.
+TEST(MinkowskiSum, KnownCountsOfTurnedCopies) {
+  Points pyramid{{0, -20, 0}};
+  for (const auto& [x, z] : {std::pair{20, 0}, {18, 8}, {14, 14}, {8, 18}, {0, 20}}) {
+    for (const int s : {-1, 1}) {
+      for (const int t : {-1, 1}) pyramid.push_back({double(s * x), 0, double(t * z)});
+    }
+  }
+  EXPECT_EQ(check_sum(pyramid, turned(pyramid)), (Counts{127, 247, 122}));
+  EXPECT_EQ(check_sum(pyramid, pyramid), (Counts{17, 32, 17}));
+  EXPECT_EQ(check_sum(icosahedron(), scaled(icosahedron(), 2)), (Counts{12, 30, 20}));
+
+  constexpr double unit = 1e7;
+  constexpr double part = 3.14159265358979323846 / 16;
+  Points ellipsoid{{0, 0, 2 * unit * unit}, {0, 0, -2 * unit * unit}};
+  for (int j = 1; j < 16; ++j) {
+    const double radius = std::round(unit * std::sin(j * part));
+    const double height = 2 * unit * std::round(unit * std::cos(j * part));
+    for (int k = 0; k < 32; ++k) {
+      ellipsoid.push_back(
+          {radius * std::round(unit * std::cos(k * part)), radius * std::round(unit * std::sin(k * part)), height});
+    }
+  }
+  const Polytope p = Polytope::hull_of(ellipsoid, one_thread);
+  EXPECT_EQ((Counts{p.vertex_count(), p.edge_count(), p.facet_count()}), (Counts{482, 992, 512}));
+  const Polytope q = Polytope::hull_of(turned(ellipsoid), one_thread);
+  const PolytopeSum sum = minkowski_sum(p, q, one_thread);
+  EXPECT_EQ((Counts{sum.vertex_count(), sum.edge_count(), sum.facet_count()}), (Counts{2258, 4576, 2320}));
 }
 
 TEST(MinkowskiSum, OfRandomPolytopesOnSmallGrids) {
@@ -114,7 +100,6 @@ TEST(MinkowskiSum, OfRandomPolytopesOnSmallGrids) {
     if (seed % 2 == 0) std::shuffle(b.begin(), b.end(), random);  // maps may be equal, and numbers not
     const int dimension_a = convex_hull(a, one_thread).dimension;
     const int dimension_b = convex_hull(b, one_thread).dimension;
-    if (dimension_a < 2 || dimension_b < 2 || dimension_a + dimension_b < 5) continue;
     SCOPED_TRACE("seed " + std::to_string(seed));
     check_sum(a, b);
     if (HasFailure()) return;
@@ -202,11 +187,144 @@ TEST(MinkowskiSum, SupportFunctionsAdd) {
   }
 }
 
-TEST(MinkowskiSum, RefusesTwoFlatPolytopes) {
-  const Polytope square = Polytope::hull_of(Points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, one_thread);
-  EXPECT_EQ(square.dimension(), 2);
-  EXPECT_THROW(minkowski_sum(square, square, one_thread), InputError);
-  EXPECT_THROW(Polytope::hull_of(Points{{0, 0, 0}, {1, 1, 1}}, one_thread), InputError);
+// Points, segments, polygons and solids in all pairs; at times of one flat, or one a multiple of the other.
+TEST(MinkowskiSum, OfEveryTwoDimensions) {
+  std::array<std::array<int, 4>, 4> seen{};
+  std::array<int, 4> sums{};
+  for (std::uint64_t seed = 0; seed < test_rounds(8000U); ++seed) {
+    Random random(seed);
+    const Points a = on_a_small_flat(random, static_cast<int>(seed % 4));
+    Points b = on_a_small_flat(random, static_cast<int>(seed / 4 % 4));
+    const int kind = below(random, 8);
+    if (kind == 0) b = scaled(a, below(random, 2) == 0 ? -1 : 2);
+    if (kind == 1) {
+      // Some points of the other, turned in its flat.
+      b.clear();
+      for (std::size_t i = 0; i < a.size(); i += 1 + static_cast<std::size_t>(below(random, 2))) {
+        const Point3& p = a[i];
+        const Point3& q = a[a.size() / 2];
+        b.push_back({3 * p.x - 2 * q.x, 3 * p.y - 2 * q.y, 3 * p.z - 2 * q.z});
+      }
+    }
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    check_sum(a, b);
+    if (HasFailure()) return;
+    const Polytope p = Polytope::hull_of(a, one_thread);
+    const Polytope q = Polytope::hull_of(b, one_thread);
+    ++seen.at(static_cast<std::size_t>(p.dimension())).at(static_cast<std::size_t>(q.dimension()));
+    if (p.dimension() == 2 && q.dimension() == 2) {
+      ++sums.at(static_cast<std::size_t>(minkowski_sum(p, q, one_thread).dimension));
+    }
+  }
+  for (const auto& row : seen) {
+    for (const int count : row) EXPECT_GE(count, test_cases(200));
+  }
+  EXPECT_GE(sums[2], test_cases(40));
+  EXPECT_GE(sums[3], test_cases(40));
+}
+
+/// Facets as rings of pairs of points, from the smallest.
+using PairFacets = std::set<std::vector<std::array<std::uint32_t, 2>>>;
+
+PairFacets pairs_by_hull(const Points& a, const Points& b, int& dimension) {
+  std::vector<RationalPoint3> sums;
+  for (const Point3& p : a) {
+    for (const Point3& q : b) sums.push_back(exact_point(p) + exact_point(q));
+  }
+  const ConvexHull hull = convex_hull(sums, one_thread);
+  dimension = hull.dimension;
+  const auto width = static_cast<std::uint32_t>(b.size());
+  PairFacets facets;
+  for (std::size_t f = 0; f < hull.facet_count(); ++f) {
+    std::vector<std::array<std::uint32_t, 2>> facet;
+    for (const std::uint32_t v : hull.facet(f)) facet.push_back({v / width, v % width});
+    std::rotate(facet.begin(), std::min_element(facet.begin(), facet.end()), facet.end());
+    facets.insert(facet);
+  }
+  return facets;
+}
+
+// Doubles of all sizes, whose sums are none: flats of small integers, each coordinate times a power of two, and some
+// points off by the least that doubles can be. The hull is of rationals.
+TEST(MinkowskiSum, OfDoublesOfAllSizes) {
+  std::array<int, 4> seen{};
+  for (std::uint64_t seed = 0; seed < test_rounds(200U); ++seed) {
+    Random random(seed);
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const auto power = [&](int most) { return std::ldexp(1.0, below(random, 2 * most + 1) - most); };
+    const int most = seed % 3 == 0 ? 990 : seed % 3 == 1 ? 60 : 1;
+    const Point3 common{power(most), power(most), power(most)};
+    const auto draw = [&] {
+      Points points = on_a_small_flat(random, below(random, 4));
+      const bool is_shared = below(random, 2) == 0;
+      const Point3 own{power(most), power(most), power(most)};
+      for (Point3& p : points) {
+        const Point3& scale = is_shared ? common : own;
+        p = {p.x * scale.x, p.y * scale.y, p.z * scale.z};
+        if (below(random, 6) == 0) p.y = std::nextafter(p.y, 1e300);
+      }
+      // The first of equal points alone, so that pairs are unique.
+      Points unique;
+      for (const Point3& p : points) {
+        if (std::find(unique.begin(), unique.end(), p) == unique.end()) unique.push_back(p);
+      }
+      return unique;
+    };
+    const Points a = draw();
+    const Points b = draw();
+    const Polytope p = Polytope::hull_of(a, one_thread);
+    const Polytope q = Polytope::hull_of(b, one_thread);
+    const PolytopeSum sum = minkowski_sum(p, q, one_thread);
+    int dimension = -1;
+    const PairFacets expected = pairs_by_hull(a, b, dimension);
+    ASSERT_EQ(sum.dimension, dimension);
+    PairFacets found;
+    for (std::size_t f = 0; f < sum.facet_count(); ++f) {
+      std::vector<std::array<std::uint32_t, 2>> facet;
+      for (const std::uint32_t v : sum.facet(f)) {
+        facet.push_back({p.source(sum.vertices[v][0]), q.source(sum.vertices[v][1])});
+      }
+      std::rotate(facet.begin(), std::min_element(facet.begin(), facet.end()), facet.end());
+      found.insert(facet);
+    }
+    ASSERT_EQ(found, expected);
+    ++seen.at(static_cast<std::size_t>(dimension));
+  }
+  for (const int count : seen) EXPECT_GE(count, test_cases(4));
+}
+
+TEST(MinkowskiSum, MayBeCancelled) {
+  const Polytope solid = Polytope::hull_of(cube, one_thread);
+  const Polytope other = Polytope::hull_of(octahedron, one_thread);
+  const Polytope segment = Polytope::hull_of(Points{{0, 0, 0}, {1, 2, 3}}, one_thread);
+  Context context({.threads = 1});
+  context.cancel();
+  EXPECT_THROW(minkowski_sum(solid, other, context), Cancelled);
+  EXPECT_THROW(minkowski_sum(solid, segment, context), Cancelled);
+  EXPECT_THROW(minkowski_sum(segment, segment, context), Cancelled);
+  EXPECT_THROW(minkowski_sum(std::vector<Polytope>{segment, segment}, context), Cancelled);
+  EXPECT_THROW(Polytope::hull_of(std::vector<RationalPoint3>{{0, 0, Rational(1) / Rational(3)}, {0, 1, 0}}, context),
+               Cancelled);
+}
+
+TEST(MinkowskiSum, OfFlatOperands) {
+  const Points segment{{0, 0, 0}, {0, 0, 1}};
+  const Points square{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  const Points upright{{0, 0, 0}, {0, 1, 0}, {0, 1, 1}, {0, 0, 1}};
+  const Points slanted{{0, 0, 0}, {1, 2, 3}, {2, 1, 5}};
+  EXPECT_EQ(check_sum(segment, segment), (Counts{2, 1, 0}));
+  EXPECT_EQ(check_sum(segment, scaled(segment, -3)), (Counts{2, 1, 0}));
+  EXPECT_EQ(check_sum(segment, Points{{0, 0, 0}, {1, 1, 0}}), (Counts{4, 4, 1}));
+  EXPECT_EQ(check_sum(square, segment), (Counts{8, 12, 6}));
+  EXPECT_EQ(check_sum(square, square), (Counts{4, 4, 1}));
+  EXPECT_EQ(check_sum(square, Points{{0, 0, 0}, {1, 1, 0}}), (Counts{6, 6, 1}));
+  EXPECT_EQ(check_sum(square, upright), (Counts{8, 12, 6}));
+  EXPECT_EQ(check_sum(square, slanted), (Counts{11, 19, 10}));
+  EXPECT_EQ(check_sum(cube, segment), (Counts{8, 12, 6}));
+  EXPECT_EQ(check_sum(cube, Points{{0, 0, 0}, {1, 2, 3}}), (Counts{14, 24, 12}));
+  EXPECT_EQ(check_sum(Points{{3, 4, 5}}, Points{{1, 1, 1}}), (Counts{1, 0, 0}));
+  EXPECT_EQ(check_sum(cube, Points{{3, 4, 5}}), (Counts{8, 12, 6}));
+  EXPECT_THROW(Polytope::hull_of(Points{}, one_thread), InputError);
 }
 
 }  // namespace

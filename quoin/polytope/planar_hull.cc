@@ -9,25 +9,6 @@
 
 namespace quoin {
 
-namespace {
-
-/// Appends the chain below all points of a list in lexicographic order, without its last point.
-template <class Iterator>
-void append_lower_chain(std::span<const Point2> points, Iterator first, Iterator last,
-                        std::vector<std::uint32_t>& hull) {
-  const std::size_t start = hull.size();
-  for (; first != last; ++first) {
-    while (hull.size() >= start + 2 &&
-           orientation(points[hull[hull.size() - 2]], points[hull.back()], points[*first]) != Sign::positive) {
-      hull.pop_back();
-    }
-    hull.push_back(*first);
-  }
-  hull.pop_back();
-}
-
-}  // namespace
-
 std::vector<std::uint32_t> planar_hull(std::span<const Point2> points, const Context& context) {
   std::vector<std::uint32_t> order(points.size());
   std::iota(order.begin(), order.end(), 0U);
@@ -37,11 +18,9 @@ std::vector<std::uint32_t> planar_hull(std::span<const Point2> points, const Con
   });
   const auto is_equal = [&](std::uint32_t a, std::uint32_t b) { return points[a] == points[b]; };
   order.erase(std::unique(order.begin(), order.end(), is_equal), order.end());
-  if (order.size() < 2) return order;
-  std::vector<std::uint32_t> hull;
-  append_lower_chain(points, order.begin(), order.end(), hull);
-  append_lower_chain(points, order.rbegin(), order.rend(), hull);
-  return hull;
+  return planar_hull_of_sorted(order, [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    return orientation(points[a], points[b], points[c]);
+  });
 }
 
 }  // namespace quoin

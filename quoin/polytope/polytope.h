@@ -3,64 +3,56 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "quoin/base/context.h"
+#include "quoin/kernel/constructions.h"
 #include "quoin/kernel/point.h"
-#include "quoin/polytope/edge_predicates.h"
+#include "quoin/kernel/rational_point.h"
 #include "quoin/polytope/hull.h"
+#include "quoin/polytope/polytope_shape.h"
 
 namespace quoin {
 
-/// A convex polytope of dimension 3, or a flat one of dimension 2 with two facets back to back, as vertices, facets and
-/// halfedges. A halfedge runs from its tail to its head with its facet on the left, seen from outside.
-///
-/// Its Gaussian map is the same record read in another way: a facet is a point of the sphere (its outward normal), a
-/// vertex the region of directions in which it is extreme, and a halfedge the arc from the normal of its facet to that
-/// of its twin's, with the region of its head on the left and that of its tail on the right.
-class Polytope {
+/// A convex polytope of any dimension from 0 to 3: a point, a segment, a flat polygon or a solid, with vertices that
+/// are doubles or rationals. Copies share what is rational.
+class Polytope : public PolytopeShape {
  public:
-  struct Halfedge {
-    Vector3 vector;  ///< rounded
-    std::uint32_t tail;
-    std::uint32_t head;
-    std::uint32_t twin;
-    std::uint32_t facet;
-    std::uint32_t next;  ///< in the facet
-  };
-
-  /// The hull of the points, which is of dimension 2 or 3. @throws InputError, Cancelled
+  /// The hull of the points. Exact. @throws InputError without points or naming one that is not finite, Cancelled
   static Polytope hull_of(std::span<const Point3> points, const Context& context);
+  /// Where all coordinates are doubles, as fast as of these. @throws InputError without points, Cancelled
+  static Polytope hull_of(std::span<const RationalPoint3> points, const Context& context);
+  /// Of points of a table, given or constructed.
+  static Polytope hull_of(const Constructions& table, std::span<const PointId> points, const Context& context);
 
-  int dimension() const { return dimension_; }
-  std::size_t vertex_count() const { return vertices_.size(); }
-  std::size_t facet_count() const { return normals_.size(); }
-  std::size_t edge_count() const { return halfedges_.size() / 2; }
-  const Point3& vertex(std::uint32_t v) const { return vertices_[v]; }
+  /// Rounded, where it is no double.
+  const Point3& vertex(std::uint32_t v) const { return vertices_ ? vertices_->rounded[v] : points_[v]; }
+  RationalPoint3 exact_vertex(std::uint32_t v) const {
+    return vertices_ ? vertices_->exact[v] : exact_point(points_[v]);
+  }
+  /// Some vertex is no double, so edges are rationals.
+  bool is_rational() const { return vertices_ != nullptr; }
   /// Index of a vertex among the points given.
   std::uint32_t source(std::uint32_t v) const { return sources_[v]; }
-  std::span<const Halfedge> halfedges() const { return halfedges_; }
-  /// Numbers of the halfedges that leave a vertex are consecutive, counterclockwise.
-  std::uint32_t first_out(std::uint32_t v) const { return first_out_[v]; }
-  std::uint32_t end_out(std::uint32_t v) const { return first_out_[v + 1]; }
-  const RoundedNormal& normal(std::uint32_t f) const { return normals_[f]; }
-  /// Exact.
-  EdgeVector edge(std::uint32_t halfedge) const {
-    return {vertices_[halfedges_[halfedge].tail], vertices_[halfedges_[halfedge].head]};
-  }
-  std::uint32_t first_halfedge(std::uint32_t f) const { return facet_halfedge_[f]; }
+
+  /// All points -p for p of the polytope: vertices and facets keep their numbers. O(n), exact, no new hull.
+  friend Polytope reflected(const Polytope& p);
 
  private:
-  void link(const ConvexHull& hull, std::span<const std::uint32_t> place);
+  struct RationalVertices {
+    std::vector<RationalPoint3> exact;
+    std::vector<Point3> rounded;
+  };
+  static Polytope of_hull(const ConvexHull& hull);
+  void set_vertices(std::vector<RationalPoint3> exact);
 
-  int dimension_ = 3;
-  std::vector<Point3> vertices_;
   std::vector<std::uint32_t> sources_;
-  std::vector<Halfedge> halfedges_;
-  std::vector<std::uint32_t> first_out_;
-  std::vector<RoundedNormal> normals_;  // of an edge of each facet and the next
-  std::vector<std::uint32_t> facet_halfedge_;
+  std::shared_ptr<const RationalVertices> vertices_;            // null if all are doubles
+  std::shared_ptr<const std::vector<RationalPoint3>> vectors_;  // that edges point to
 };
+
+Polytope reflected(const Polytope& p);
 
 }  // namespace quoin

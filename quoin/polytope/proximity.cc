@@ -10,15 +10,14 @@
 
 #include "quoin/number/interval.h"
 #include "quoin/polytope/closest_point.h"
-#include "quoin/polytope/minkowski_sum.h"
+#include "quoin/polytope/difference_body.h"
 
 namespace quoin {
 
 namespace {
 
 using closest::ClosestPoint;
-using Exact = closest::Vector<Rational>;
-using Rounded = closest::Vector<double>;
+using Exact = DifferenceBody::Exact;
 
 Exact as_vector(const RationalPoint3& p) {
   return {p.x, p.y, p.z};
@@ -26,125 +25,13 @@ Exact as_vector(const RationalPoint3& p) {
 RationalPoint3 as_point(const Exact& v) {
   return {v[0], v[1], v[2]};
 }
-Polytope reflected(const Polytope& p, const Context& context) {
-  std::vector<Point3> points;
-  for (std::uint32_t v = 0; v < p.vertex_count(); ++v) {
-    const Point3& q = p.vertex(v);
-    points.push_back({-q.x, -q.y, -q.z});
-  }
-  return Polytope::hull_of(points, context);
-}
-
-/// All differences of a point of A and a point of B, and where the origin is to its facets.
-class DifferenceBody {
- public:
-  DifferenceBody(const Polytope& a, const Polytope& b, const Context& context)
-      : a_(a), b_(reflected(b, context)), sum_(minkowski_sum(a_, b_, context)) {}
-
-  std::size_t facet_count() const { return sum_.facet_count(); }
-  std::size_t vertex_count() const { return sum_.vertices.size(); }
-  std::span<const std::uint32_t> facet(std::size_t f) const { return sum_.facet(f); }
-  /// Vertices of the two polytopes that a vertex is the difference of. B's keep their numbers: those of a reflected
-  /// polytope are in the order of the points it was made of.
-  const std::array<std::uint32_t, 2>& sources(std::uint32_t v) const { return sum_.vertices[v]; }
-  RationalPoint3 point_of_a(std::uint32_t v) const { return exact_point(a_.vertex(sources(v)[0])); }
-  RationalPoint3 point_of_b(std::uint32_t v) const { return exact_point(b_.vertex(sources(v)[1])) * Rational(-1); }
-
-  /// Positive: the origin is inside of the facet's plane.
-  Sign depth_sign(std::size_t f) const {
-    const auto corners = facet(f);
-    const std::array<EdgeVector, 3> v{vector(corners[0]), vector(corners[1]), vector(corners[2])};
-    return determinant(rounded(v[0]), rounded(v[1]), rounded(v[2]),
-                       [&] { return exact_determinant(v[0], v[1], v[2]); });
-  }
-
-  Exact exact(std::uint32_t v) const { return as_vector(point_of_a(v) - point_of_b(v)); }
-  Rounded approximate(std::uint32_t v) const {
-    const Vector3 d = rounded(vector(v));
-    return {d.x, d.y, d.z};
-  }
-  closest::Vector<Interval> enclosed(std::uint32_t v) const {
-    const Point3& p = a_.vertex(sources(v)[0]);
-    const Point3& q = b_.vertex(sources(v)[1]);
-    return {Interval(p.x) + Interval(q.x), Interval(p.y) + Interval(q.y), Interval(p.z) + Interval(q.z)};
-  }
-  Exact exact_normal(std::size_t f) const {
-    return normal_of<Exact>(f, [&](std::uint32_t v) { return exact(v); });
-  }
-  Rounded approximate_normal(std::size_t f) const {
-    return normal_of<Rounded>(f, [&](std::uint32_t v) { return approximate(v); });
-  }
-  ClosestPoint<Rational> exact_closest(std::size_t f) const {
-    std::vector<Exact> polygon;
-    for (const std::uint32_t v : facet(f)) polygon.push_back(exact(v));
-    return closest::on_polygon<Rational>(polygon, exact_normal(f));
-  }
-  double approximate_squared_distance(std::size_t f) const {
-    polygon_.clear();
-    for (const std::uint32_t v : facet(f)) polygon_.push_back(approximate(v));
-    const double square = closest::on_polygon<double>(polygon_, approximate_normal(f)).squared_length;
-    return std::isnan(square) ? 0 : square;
-  }
-  /// Of the plane; unbounded where a normal may be zero.
-  Interval enclosed_squared_depth(std::size_t f) const {
-    using Enclosed = closest::Vector<Interval>;
-    const Enclosed n = normal_of<Enclosed>(f, [&](std::uint32_t v) { return enclosed(v); });
-    const Interval height = closest::dot(n, enclosed(facet(f)[0]));
-    const Interval square = closest::dot(n, n);
-    return square.lower() > 0 ? height * height / square : Interval::unbounded();
-  }
-  Rational exact_squared_depth(std::size_t f) const {
-    const Exact n = exact_normal(f);
-    const Rational height = closest::dot(n, exact(facet(f)[0]));
-    return height * height / closest::dot(n, n);
-  }
-  /// No vertex is beyond the plane through the point that stands on it.
-  bool supports(const Exact& point, const Context& context) const {
-    const Rounded x{point[0].to_double(), point[1].to_double(), point[2].to_double()};
-    for (std::uint32_t v = 0; v < sum_.vertices.size(); ++v) {
-      if (v % 256 == 0) context.poll();
-      const Rounded y = approximate(v);
-      double value = 0;
-      double size = 0;
-      double below_range = 0;
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        value += x[axis] * (y[axis] - x[axis]);
-        const double reach = std::fabs(y[axis]) + std::fabs(x[axis]);
-        size += std::fabs(x[axis]) * reach;
-        below_range += 0x1p-1000 * reach + 0x1p-1000;
-      }
-      // Five roundings of each term; x may lose bits below the range of doubles, and so may products.
-      if (value > 16 * 0x1p-53 * size + below_range) continue;
-      if (closest::dot(point, closest::difference(exact(v), point)).sign() == Sign::negative) return false;
-    }
-    return true;
-  }
-
- private:
-  EdgeVector vector(std::uint32_t v) const {
-    const Point3& q = b_.vertex(sources(v)[1]);
-    return {{-q.x, -q.y, -q.z}, a_.vertex(sources(v)[0])};
-  }
-  template <class Vector, class Corner>
-  Vector normal_of(std::size_t f, const Corner& corner) const {
-    const auto corners = facet(f);
-    const Vector origin = corner(corners[0]);
-    return closest::cross(closest::difference(corner(corners[1]), origin),
-                          closest::difference(corner(corners[2]), origin));
-  }
-
-  const Polytope& a_;
-  Polytope b_;
-  PolytopeSum sum_;
-  mutable std::vector<Rounded> polygon_;  // scratch
-};
-
-void set_witness(PolytopeDistance& result, const DifferenceBody& body, std::size_t f,
+/// The point is of the polygon, or of all the body, of these vertices.
+void set_witness(PolytopeDistance& result, const DifferenceBody& body, std::span<const std::uint32_t> vertices,
                  const ClosestPoint<Rational>& point) {
   RationalPoint3 on_a{0, 0, 0};
   RationalPoint3 on_b{0, 0, 0};
   for (std::size_t i = 0; i < 3; ++i) {
-    const std::uint32_t v = body.facet(f)[point.corners[i]];
+    const std::uint32_t v = vertices[point.corners[i]];
     on_a = on_a + body.point_of_a(v) * point.weights[i];
     on_b = on_b + body.point_of_b(v) * point.weights[i];
   }
@@ -203,15 +90,39 @@ void set_penetration(PolytopeDistance& result, const DifferenceBody& body, const
   const Rational scale = closest::dot(n, body.exact(body.facet(f)[0])) / closest::dot(n, n);
   // The foot of the origin on the nearest facet plane lies in the facet.
   const ClosestPoint<Rational> foot = body.exact_closest(f);
-  set_witness(result, body, f, foot);
+  set_witness(result, body, body.facet(f), foot);
   result.squared_penetration = std::move(depth);
   result.separation = as_point({-(n[0] * scale), -(n[1] * scale), -(n[2] * scale)});
+}
+
+/// Of two that are parallel to one plane, so that neither overlaps the other in space.
+PolytopeDistance distance_in_plane(const DifferenceBody& body) {
+  PolytopeDistance result;
+  const ClosestPoint<Rational> point = body.exact_closest();
+  result.relation = point.squared_length.sign() == Sign::zero ? Proximity::touching : Proximity::apart;
+  constexpr std::array<std::uint32_t, 2> ends{0, 1};
+  set_witness(result, body, body.dimension() == 2 ? body.facet(0) : ends, point);
+  result.squared_distance = point.squared_length;
+  return result;
+}
+
+/// Normal to all of a polytope that is no solid.
+RationalPoint3 normal_of_flat(const Polytope& p) {
+  if (p.dimension() == 0) return {0, 0, 1};
+  const RationalPoint3 along = exact_vector(p.edge(0));
+  if (p.dimension() == 1) {
+    return along.x.sign() == Sign::zero && along.y.sign() == Sign::zero ? RationalPoint3{1, 0, 0}
+                                                                        : RationalPoint3{along.y, -along.x, 0};
+  }
+  const std::uint32_t h = p.first_halfedge(0);
+  return cross(exact_vector(p.edge(h)), exact_vector(p.edge(p.halfedges()[h].next)));
 }
 
 }  // namespace
 
 PolytopeDistance polytope_distance(const Polytope& a, const Polytope& b, const Context& context) {
   const DifferenceBody body(a, b, context);
+  if (body.dimension() < 3) return distance_in_plane(body);
   PolytopeDistance result;
   std::vector<std::size_t> outer;
   std::vector<std::size_t> through;
@@ -228,7 +139,7 @@ PolytopeDistance polytope_distance(const Polytope& a, const Polytope& b, const C
   }
   result.relation = outer.empty() ? Proximity::touching : Proximity::apart;
   const auto [f, point] = nearest_facet(body, outer.empty() ? through : outer, context);
-  set_witness(result, body, f, point);
+  set_witness(result, body, body.facet(f), point);
   result.squared_distance = point.squared_length;
   return result;
 }
@@ -239,12 +150,7 @@ PolytopeWidth polytope_width(const Polytope& p, const Context& context) {
     if (std::find(face.begin(), face.end(), v) == face.end()) face.push_back(v);
   };
   if (p.dimension() < 3) {
-    result.direction = as_point([&] {
-      const EdgeVector u = p.edge(p.first_halfedge(0));
-      const EdgeVector w = p.edge(p.halfedges()[p.first_halfedge(0)].next);
-      const auto vector = [](const EdgeVector& v) { return as_vector(exact_point(v.to) - exact_point(v.from)); };
-      return closest::cross(vector(u), vector(w));
-    }());
+    result.direction = normal_of_flat(p);
     for (std::uint32_t v = 0; v < p.vertex_count(); ++v) {
       result.faces[0].push_back(v);
       result.faces[1].push_back(v);
@@ -273,22 +179,29 @@ PolytopeDiameter polytope_diameter(const Polytope& p, const Context& context) {
     const DifferenceBody body(p, p, context);
     for (std::uint32_t v = 0; v < body.vertex_count(); ++v) pairs.push_back(body.sources(v));
   }
-  const auto vector = [&]<class Number>(const std::array<std::uint32_t, 2>& pair, Number /*type*/) {
+  const auto exact = [&](const std::array<std::uint32_t, 2>& pair) {
+    return as_vector(p.exact_vertex(pair[0]) - p.exact_vertex(pair[1]));
+  };
+  const auto enclosed = [&](const std::array<std::uint32_t, 2>& pair) -> closest::Vector<Interval> {
+    if (p.is_rational()) {
+      const Exact d = exact(pair);
+      return {Interval::around(d[0]), Interval::around(d[1]), Interval::around(d[2])};
+    }
     const Point3& a = p.vertex(pair[0]);
     const Point3& b = p.vertex(pair[1]);
-    return closest::Vector<Number>{Number(a.x) - Number(b.x), Number(a.y) - Number(b.y), Number(a.z) - Number(b.z)};
+    return {Interval(a.x) - Interval(b.x), Interval(a.y) - Interval(b.y), Interval(a.z) - Interval(b.z)};
   };
   std::vector<Interval> lengths;
   double reach = 0;
   for (const auto& pair : pairs) {
-    const auto d = vector(pair, Interval());
+    const auto d = enclosed(pair);
     lengths.push_back(closest::dot(d, d));
     reach = std::max(reach, lengths.back().lower());
   }
   PolytopeDiameter result;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     if (lengths[i].upper() < reach) continue;
-    const auto d = vector(pairs[i], Rational());
+    const Exact d = exact(pairs[i]);
     Rational length = closest::dot(d, d);
     if (length <= result.squared_diameter) continue;
     result.squared_diameter = std::move(length);

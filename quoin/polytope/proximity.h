@@ -29,7 +29,8 @@ struct PolytopeDistance {
 /// nearest facet plane. Nearest is decided in doubles and then certified, in rationals where doubles leave it open: no
 /// vertex of the difference body lies beyond the plane that stands on the vector to the nearest point. O(size of the
 /// difference body). Source: Dobkin, Hershberger, Kirkpatrick and Suri 1993.
-/// @throws InputError if both are flat, Cancelled
+/// Two that are parallel to one plane, as points, segments and coplanar polygons are, never overlap.
+/// @throws Cancelled
 PolytopeDistance polytope_distance(const Polytope& a, const Polytope& b, const Context& context);
 
 /// The least distance of two parallel planes with the polytope between them.
@@ -39,7 +40,8 @@ struct PolytopeWidth {
   std::array<std::vector<std::uint32_t>, 2> faces{};  ///< vertices in the plane that it points to, and in the other
 };
 
-/// Exact: the nearest facet plane of the difference body of the polytope with itself. O(size of that body).
+/// Exact: the nearest facet plane of the difference body of the polytope with itself. O(size of that body). Of what is
+/// flat, 0 with a normal of it.
 PolytopeWidth polytope_width(const Polytope& p, const Context& context);
 
 /// The greatest distance of two of its points, which are vertices.

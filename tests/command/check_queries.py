@@ -118,8 +118,41 @@ class Minkowski(CommandTest):
         report = self.json_of("minkowski", "octahedron.off", "a.off")
         self.assertEqual((report["vertices"], report["edges"], report["facets"]), (24, 48, 26))
         self.assertEqual(self.json_of("minkowski", "a.off", "square.off")["volume"], 18)
-        self.assertIn("flat", self.run_quoin("minkowski", "square.off", "square.off", code=REFUSED).stderr)
+        flat = self.json_of("minkowski", "square.off", "square.off")
+        self.assert_keys(flat, "dimension vertices edges facets warnings")
+        self.assertEqual((flat["dimension"], flat["vertices"], flat["edges"], flat["facets"]), (2, 4, 4, 1))
+        self.assertIn("plane", flat["warnings"][-1])
+        self.assertIn("plane", self.run_quoin("minkowski", "square.off", "square.off", "-o", "x.off", code=REFUSED).stderr)
+        self.write("segment.off", "OFF\n2 0 0\n0 0 0\n0 0 3\n")
+        self.write("point.off", "OFF\n1 0 0\n5 5 5\n")
+        self.assertEqual(self.json_of("minkowski", "square.off", "segment.off")["volume"], 3)
+        self.assertEqual(self.json_of("minkowski", "a.off", "point.off")["volume"], 8)
+        self.assertEqual(self.json_of("minkowski", "segment.off", "segment.off")["dimension"], 1)
+        self.assertEqual(self.json_of("minkowski", "point.off", "point.off")["vertices"], 1)
         self.run_quoin("minkowski", "a.off", code=USAGE)
+
+    def test_many_operands(self):
+        self.write("x.off", "OFF\n2 0 0\n0 0 0\n1 0 0\n")
+        self.write("y.off", "OFF\n2 0 0\n0 0 0\n0 1 0\n")
+        self.write("d.off", "OFF\n2 0 0\n0 0 0\n1 1 1\n")
+        self.write("z.off", "OFF\n2 0 0\n0 0 0\n0 0 1\n")
+        report = self.json_of("minkowski", "x.off", "y.off", "z.off", "d.off", "-o", "zonotope.off")
+        self.assertEqual((report["dimension"], report["vertices"], report["edges"], report["facets"]), (3, 14, 24, 12))
+        self.assertEqual(report["volume"], 4)
+        self.assertEqual(self.json_of("check", "zonotope.off")["valid"], True)
+
+    def test_exact_vertices(self):
+        # Where the third is cut off, two vertices are no doubles.
+        self.write("wedge.off", "OFF\n6 0 0\n0 0 0\n3 0 0\n0 1 0\n0 0 4\n3 0 4\n0 1 4\n".replace("6 0 0", "6 5 0") +
+                   "3 0 2 1\n3 3 4 5\n4 0 1 4 3\n4 1 2 5 4\n4 2 0 3 5\n")
+        self.write("box.off", box((-1, -1, -1), (1, 2, 5)))
+        self.run_quoin("intersection", "wedge.off", "box.off", "-o", "cut.qsolid")
+        self.assertEqual(self.json_of("hull", "cut.qsolid", "-o", "hull.qsolid")["vertices"], 8)
+        self.assertEqual(self.json_of("check", "hull.qsolid")["valid"], True)
+        report = self.json_of("minkowski", "cut.qsolid", "cut.qsolid", "-o", "twice.qsolid")
+        self.assertEqual((report["vertices"], report["facets"]), (8, 6))
+        self.assertAlmostEqual(report["volume"], 8 * self.info("cut.qsolid")["volume"])
+        self.assertEqual(self.json_of("distance", "cut.qsolid", "cut.qsolid")["relation"], "overlapping")
 
     def test_what_is_not_convex(self):
         self.run_quoin("union", "a.off", "b.off", "-o", "u.off")
@@ -138,7 +171,13 @@ class Distance(CommandTest):
         self.assertEqual((inside["relation"], inside["squared_penetration"]), ("overlapping", 1))
         touching = self.json_of("distance", "a.off", "b.off", "--translate", "-1,1/2,0")
         self.assertEqual((touching["relation"], touching["squared_distance"]), ("touching", 0))
-        self.assertIn("no double", self.run_quoin("distance", "a.off", "b.off", "--translate", "1/3,0,0", code=REFUSED).stderr)
+        third = self.json_of("distance", "a.off", "far.off", "--translate", "1/3,0,0")
+        self.assertEqual(third["exact_squared_distance"], "1282/9")
+        self.assertEqual(third["exact_witness"][0], ["7/3", "2", "2"])
+        self.write("point.off", "OFF\n1 0 0\n5 5 5\n")
+        self.write("segment.off", "OFF\n2 0 0\n5 0 0\n5 0 9\n")
+        self.assertEqual(self.json_of("distance", "point.off", "segment.off")["squared_distance"], 25)
+        self.assertEqual(self.json_of("distance", "point.off", "point.off")["relation"], "touching")
         self.run_quoin("distance", "a.off", "b.off", "--translate", "1,2", code=USAGE)
         self.assertRegex(self.run_quoin("distance", "a.off", "far.off").stdout, r"relation +apart\n")
 
@@ -147,6 +186,9 @@ class Distance(CommandTest):
         report = self.json_of("width", "slab.off")
         self.assertEqual((report["width"], report["exact_squared_width"]), (0.5, "1/4"))
         self.assertEqual(sorted(len(face) for face in report["witness"]), [4, 4])
+        self.write("segment.off", "OFF\n2 0 0\n5 0 0\n5 0 9\n")
+        flat = self.json_of("width", "segment.off")
+        self.assertEqual((flat["width"], flat["diameter"]), (0, 9))
         self.assertEqual((report["exact_squared_diameter"], len(report["diameter_witness"])), ("137/4", 2))
 
 

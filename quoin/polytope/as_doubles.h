@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "quoin/kernel/rational_point.h"
+
+namespace quoin {
+
+/// The same points in doubles, if all coordinates are some. O(n).
+inline std::optional<std::vector<Point3>> as_doubles(std::span<const RationalPoint3> points) {
+  std::vector<Point3> result;
+  result.reserve(points.size());
+  for (const RationalPoint3& p : points) {
+    const Point3 rounded{p.x.to_double(), p.y.to_double(), p.z.to_double()};
+    for (unsigned axis = 0; axis < 3; ++axis) {
+      if (!std::isfinite(rounded[axis]) || Rational(rounded[axis]) != p[axis]) return std::nullopt;
+    }
+    result.push_back(rounded);
+  }
+  return result;
+}
+
+}  // namespace quoin
