@@ -88,7 +88,7 @@ BallFilter::Sphere BallFilter::sphere_of(const SmallestBall& ball) const {
 
 BallFilter::Outcome BallFilter::find_outside(const SmallestBall& ball, const Context& context) const {
   const Sphere sphere = sphere_of(ball);
-  const Outcome first = in_doubles(sphere, context);
+  Outcome first = in_doubles(sphere, context);
   if (first.outside != nobody || first.open.empty()) return first;
   return in_pairs(sphere, first.open);
 }

@@ -43,7 +43,7 @@ struct CubicalMap {
 
   struct Square {
     LinearArrangement arrangement;
-    std::vector<Vertex> vertices;               ///< by vertex of the arrangement
+    std::vector<Vertex> vertices;               ///< by vertex of the arrangement, fictitious ones too
     std::vector<std::uint32_t> arc_of_edge;     ///< by edge: index into `arcs`; none: artificial
     std::vector<std::uint32_t> vertex_of_face;  ///< by face: vertex of the polytope; none: the unbounded one
     std::array<dcel::VertexId, cube::corner_count> corners;

@@ -63,9 +63,9 @@ class CubePicture {
     picture_.title = options.title;
     picture_.box = PictureBox{{-3, -3}, {5, 3}}.enlarged(0.02);
     const CubicalMap::Counts counts = map.counts();
-    picture_.facts = {{"Faces", std::to_string(counts.faces)},
-                      {"Edges", std::to_string(counts.edges)},
-                      {"Vertices", std::to_string(counts.vertices)}};
+    picture_.facts = {{"Faces on all squares", std::to_string(counts.faces)},
+                      {"Edges on all squares", std::to_string(counts.edges)},
+                      {"Vertices on all squares", std::to_string(counts.vertices)}};
   }
 
   PlanarPicture take() {
