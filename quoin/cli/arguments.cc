@@ -217,13 +217,15 @@ void add_commands(CLI::App& app, Options& options) {
       add_command(app, options, "gaussian-map", "the directions in which each vertex of a convex solid is extreme");
   add_one_file(*map, options);
   add_pictures(*map, options, "");
+  map->add_flag("--cube", options.cube, "on the six squares of a cube instead of the sphere");
   CLI::App* distance =
       add_command(app, options, "distance", "whether two convex solids are apart, touch or overlap, and how far");
   distance->add_option("files", options.inputs, "two convex meshes, .qsolid, or files of points, which mean their hull")
       ->required()
       ->expected(2);
   distance->add_option("--translate", options.translation, "x,y,z: the first solid is moved by that");
-  add_one_file(*add_command(app, options, "width", "the least distance of parallel planes about a convex solid"),
+  add_one_file(*add_command(app, options, "width",
+                            "of a convex solid: least distance of parallel planes about it, diameter, smallest ball"),
                options);
   add_queries(app, options);
   add_planar(app, options);

@@ -36,6 +36,7 @@ struct Options {
   bool reflect = false;              ///< of `polygon minkowski`: the second set turned by half a turn
   bool labels = false;               ///< numbers in pictures
   bool sphere = false;               ///< of `arrange`: curves on the sphere
+  bool cube = false;                 ///< of `gaussian-map`: on the surface of a cube
   bool upper = false;                ///< of `envelope`
   bool json = false;
   bool quiet = false;

@@ -9,11 +9,9 @@
 #include "quoin/cli/planar.h"
 #include "quoin/cli/polytope_inputs.h"
 #include "quoin/cli/reporting.h"
-#include "quoin/cli/sphere_pages.h"
 #include "quoin/cli/streams.h"
 #include "quoin/cli/summary.h"
 #include "quoin/polytope/convex_boundary.h"
-#include "quoin/polytope/gaussian_map.h"
 #include "quoin/polytope/hull.h"
 #include "quoin/polytope/minkowski_sum.h"
 #include "quoin/solid/measure.h"
@@ -85,33 +83,6 @@ int run_polytope_sum(const Options& options, const Context& context) {
   const Brep boundary = convex_boundary(exact_vertices(sum, summands), sum.corners, sum.facet_begin, "sum");
   details["volume"] = volume(boundary, context).to_double();
   return finish({boundary, "minkowski", std::move(warnings), start, std::move(details)}, options, context);
-}
-
-int run_gaussian_map(const Options& options, const Context& context) {
-  require_sphere_pages(options);
-  std::vector<std::string> warnings;
-  const std::string& name = options.inputs[0];
-  const Polytope p = polytope_of(read_polytope(name, options, warnings, context), name, context);
-  const GaussianMap map = gaussian_map(p, context);
-  ArrangementPictureOptions how;
-  how.face = [&](dcel::FaceId face) {
-    const std::uint32_t v = map.vertex_of_face[face.index()];
-    CellLook look;
-    look.fill.category = v;
-    look.text.name = "vertex " + std::to_string(v) + " at " + Json{p.vertex(v).x, p.vertex(v).y, p.vertex(v).z}.dump();
-    return look;
-  };
-  how.curve_name = [&](CurveId curve) {
-    const Polytope::Halfedge& h = p.halfedges()[map.arcs[curve.index()]];
-    return "edge " + std::to_string(h.tail) + " - " + std::to_string(h.head);
-  };
-  write_sphere_pages(map.arrangement, how, options);
-  const dcel::Counts found = map.arrangement.counts();
-  Json report{{"vertices", found.vertices}, {"edges", found.edges}, {"faces", found.faces}};
-  report["polytope"] = counts(p.vertex_count(), p.edge_count(), p.facet_count());
-  const std::string text = as_text(report);
-  print_report(std::move(report), text, warnings, options);
-  return 0;
 }
 
 }  // namespace quoin::cli

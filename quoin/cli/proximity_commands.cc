@@ -11,6 +11,7 @@
 #include "quoin/cli/streams.h"
 #include "quoin/cli/summary.h"
 #include "quoin/polytope/proximity.h"
+#include "quoin/polytope/smallest_ball.h"
 
 namespace quoin::cli {
 
@@ -42,6 +43,13 @@ InputPoints translated(const InputPoints& points, const std::string& text) {
   std::vector<RationalPoint3> moved = as_rationals(points);
   for (RationalPoint3& p : moved) p = p + RationalPoint3{by[0], by[1], by[2]};
   return moved;
+}
+
+SmallestBall ball_of(const Polytope& p, const Context& context) {
+  std::vector<Point3> vertices;
+  vertices.reserve(p.vertex_count());
+  for (std::uint32_t v = 0; v < p.vertex_count(); ++v) vertices.push_back(p.vertex(v));
+  return smallest_ball(vertices, context);
 }
 
 int print(Json report, const std::vector<std::string>& warnings, const Options& options) {
@@ -81,6 +89,7 @@ int run_width(const Options& options, const Context& context) {
       polytope_of(read_polytope(options.inputs[0], options, warnings, context), options.inputs[0], context);
   const PolytopeWidth w = polytope_width(p, context);
   const PolytopeDiameter diameter = polytope_diameter(p, context);
+  const SmallestBall ball = ball_of(p, context);
   const auto points_of = [&](std::span<const std::uint32_t> vertices) {
     Json points = Json::array();
     for (const std::uint32_t v : vertices) points.push_back({p.vertex(v).x, p.vertex(v).y, p.vertex(v).z});
@@ -94,7 +103,14 @@ int run_width(const Options& options, const Context& context) {
                 {"witness", {points_of(w.faces[0]), points_of(w.faces[1])}},
                 {"diameter", std::sqrt(diameter.squared_diameter.to_double())},
                 {"exact_squared_diameter", diameter.squared_diameter.to_string()},
-                {"diameter_witness", points_of(diameter.vertices)}},
+                {"diameter_witness", points_of(diameter.vertices)},
+                {"ball",
+                 {{"radius", std::sqrt(ball.squared_radius.to_double())},
+                  {"squared_radius", ball.squared_radius.to_double()},
+                  {"exact_squared_radius", ball.squared_radius.to_string()},
+                  {"center", rounded(ball.center)},
+                  {"exact_center", exact(ball.center)},
+                  {"witness", points_of(ball.support)}}}},
                warnings, options);
 }
 

@@ -4,13 +4,13 @@
 #include "quoin/cli/inputs.h"
 #include "quoin/cli/planar.h"
 #include "quoin/cli/reporting.h"
-#include "quoin/cli/sphere_pages.h"
+#include "quoin/cli/sphere_pictures.h"
 #include "quoin/io/sphere_curves.h"
 
 namespace quoin::cli {
 
 int run_arrange_on_sphere(const Options& options, const Context& context) {
-  require_sphere_pages(options);
+  require_pictures(options);
   GeodesicFamily family;
   PieceList<GeodesicFamily> list;
   std::vector<std::string> names;
@@ -21,7 +21,7 @@ int run_arrange_on_sphere(const Options& options, const Context& context) {
   const dcel::Counts counts = arrangement.counts();
   ArrangementPictureOptions how;
   how.curve_name = [&](CurveId curve) { return names[curve.index()]; };
-  write_sphere_pages(arrangement, how, options);
+  write_sphere_pictures(arrangement, how, options, context);
   nlohmann::ordered_json json{{"vertices", counts.vertices},
                               {"edges", counts.edges},
                               {"faces", counts.faces},

@@ -3,47 +3,26 @@
 
 #include <utility>
 
-#include "quoin/polytope/closest_point.h"
-
 namespace quoin {
 
-namespace {
-
-using Vector = std::array<Rational, 3>;
-
-Vector vector_of(const EdgeVector& v) {
-  RationalPoint3 p = exact_vector(v);
-  return {std::move(p.x), std::move(p.y), std::move(p.z)};
+GaussianMap gaussian_map(const Polytope& p, const Context& context) {
+  return gaussian_map(map_arcs(p), context);
 }
-
-std::vector<SphereDirection> normals_of(const Polytope& p) {
-  std::vector<SphereDirection> normals;
-  normals.reserve(p.facet_count());
-  for (std::uint32_t f = 0; f < p.facet_count(); ++f) {
-    const std::uint32_t h = p.first_halfedge(f);
-    normals.emplace_back(closest::cross(vector_of(p.edge(h)), vector_of(p.edge(p.halfedges()[h].next))));
-  }
-  return normals;
-}
-
-}  // namespace
 
 /// An arc turns about its edge: that tells it also where it is half a turn long. That of a segment has no ends.
-GaussianMap gaussian_map(const Polytope& p, const Context& context) {
+GaussianMap gaussian_map(const MapArcs& arcs, const Context& context) {
   GaussianMap map;
-  const std::vector<SphereDirection> normals = normals_of(p);
+  map.arcs = arcs.arcs;
   GeodesicFamily family;
   PieceList<GeodesicFamily> list;
-  for (std::uint32_t h = 0; h < p.halfedges().size(); ++h) {
-    const Polytope::Halfedge& halfedge = p.halfedges()[h];
-    if (halfedge.twin < h) continue;
-    const SphereDirection about(vector_of(p.edge(h)));
-    if (halfedge.facet == Polytope::none) {
-      family.add_great_circle(list, about);
+  for (std::size_t i = 0; i < arcs.arcs.size(); ++i) {
+    if (i % 256 == 0) context.poll();
+    const MapArc& arc = arcs.arcs[i];
+    if (arc.source == PolytopeShape::none) {
+      family.add_great_circle(list, arcs.edges[i]);
     } else {
-      family.add_arc(list, normals[halfedge.facet], normals[p.halfedges()[halfedge.twin].facet], about);
+      family.add_arc(list, arcs.normals[arc.source], arcs.normals[arc.target], arcs.edges[i]);
     }
-    map.arcs.push_back(h);
   }
   map.arrangement = arrange(std::move(family), std::move(list), context);
   const GeodesicArrangement& a = map.arrangement;
@@ -51,10 +30,10 @@ GaussianMap gaussian_map(const Polytope& p, const Context& context) {
   for (std::uint32_t e = 0; e < a.edge_count(); ++e) {
     const dcel::EdgeId edge(std::size_t{e});
     const CurveUse use = a.curves(edge)[0];
-    const Polytope::Halfedge& halfedge = p.halfedges()[map.arcs[use.curve().index()]];
+    const MapArc& arc = map.arcs[use.curve().index()];
     const dcel::HalfedgeId along(edge, use.is_reversed());
-    map.vertex_of_face[a.cells().face(along).index()] = halfedge.head;
-    map.vertex_of_face[a.cells().face(along.twin()).index()] = halfedge.tail;
+    map.vertex_of_face[a.cells().face(along).index()] = arc.head;
+    map.vertex_of_face[a.cells().face(along.twin()).index()] = arc.tail;
   }
   return map;
 }

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "quoin/arrangement/geodesic/geodesic_arrangement.h"
 #include "quoin/base/context.h"
-#include "quoin/number/rational.h"
-#include "quoin/polytope/polytope.h"
+#include "quoin/polytope/map_arcs.h"
 
 namespace quoin {
 
@@ -21,15 +19,18 @@ namespace quoin {
 struct GaussianMap {
   GeodesicArrangement arrangement;
   std::vector<std::uint32_t> vertex_of_face;  ///< by face: the vertex of the polytope
-  std::vector<std::uint32_t> arcs;            ///< by curve of the arrangement: a halfedge of the polytope; the arc runs
-                                              ///< from the normal of its facet to that of its twin's
+  std::vector<MapArc> arcs;                   ///< by curve of the arrangement
 };
 
 /// Exact. O(n log n). @throws Cancelled
 GaussianMap gaussian_map(const Polytope& p, const Context& context);
+/// Of what the arcs are of: a polytope, or a sum of two. @throws Cancelled
+GaussianMap gaussian_map(const MapArcs& arcs, const Context& context);
 
-/// The polytope that a map is of, from its cells alone: its facets as rings of vertices, in the order of the map's
-/// vertices; vertices that cut an arc are skipped. O(n).
+/// The inverse: the polytope that a map is of, from its cells and the labels of its faces alone.
+///
+/// Its facets as rings of vertices (labels), counterclockwise seen from outside, in the order of the map's vertices;
+/// vertices that cut an arc are skipped. Each ring may begin anywhere. O(n).
 std::vector<std::vector<std::uint32_t>> facets_of_map(const GaussianMap& map);
 
 }  // namespace quoin

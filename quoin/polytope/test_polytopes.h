@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <random>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "quoin/base/context.h"
 #include "quoin/kernel/point.h"
+#include "quoin/polytope/polytope.h"
 
 /// What tests of polytopes share.
 namespace quoin::test_polytopes {
@@ -44,6 +49,55 @@ inline Points icosahedron() {
     }
   }
   return points;
+}
+
+/// The same with two vertices as poles; rounded, and yet its own mirror image in the plane y = 0.
+inline Points icosahedron_on_its_pole() {
+  Points points{{0, 0, 1}, {0, 0, -1}};
+  const double r = 2 / std::sqrt(5.0);
+  for (int i = 0; i <= 5; ++i) {
+    const double angle = 3.14159265358979323846 / 5 * i;
+    const double z = (i % 2 == 0 ? 1 : -1) / std::sqrt(5.0);
+    const double y = i == 0 || i == 5 ? 0 : r * std::sin(angle);
+    for (const int side : {-1, 1}) points.push_back({r * std::cos(angle), side * y, z});
+  }
+  return points;
+}
+
+/// Over a polygon of sixteen sides.
+inline Points pyramid() {
+  Points points{{0, -20, 0}};
+  for (const auto& [x, z] : {std::pair{20, 0}, {18, 8}, {14, 14}, {8, 18}, {0, 20}}) {
+    for (const int s : {-1, 1}) {
+      for (const int t : {-1, 1}) points.push_back({double(s * x), 0, double(t * z)});
+    }
+  }
+  return points;
+}
+
+/// Rings of vertices, each from its least on.
+using Rings = std::set<std::vector<std::uint32_t>>;
+
+inline Rings rings_of(std::vector<std::vector<std::uint32_t>> facets) {
+  Rings rings;
+  for (std::vector<std::uint32_t>& facet : facets) {
+    std::rotate(facet.begin(), std::min_element(facet.begin(), facet.end()), facet.end());
+    rings.insert(std::move(facet));
+  }
+  return rings;
+}
+
+inline Rings rings_of(const Polytope& p) {
+  std::vector<std::vector<std::uint32_t>> facets;
+  for (std::uint32_t f = 0; f < p.facet_count(); ++f) {
+    std::vector<std::uint32_t>& facet = facets.emplace_back();
+    std::uint32_t h = p.first_halfedge(f);
+    do {
+      facet.push_back(p.halfedges()[h].tail);
+      h = p.halfedges()[h].next;
+    } while (h != p.first_halfedge(f));
+  }
+  return rings_of(std::move(facets));
 }
 
 }  // namespace quoin::test_polytopes

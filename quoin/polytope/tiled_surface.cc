@@ -64,9 +64,7 @@ std::vector<std::uint32_t> TiledSurface::paired_halfedges(const Leaf& leaf) cons
   }
   if (open.empty()) return twins;
   const Constructions points = exact_.empty() ? Constructions(points_) : Constructions(exact_);
-  const auto ends = [&](std::uint32_t h) {
-    return std::pair(std::min(tail(h), head(h)), std::max(tail(h), head(h)));
-  };
+  const auto ends = [&](std::uint32_t h) { return std::pair(std::min(tail(h), head(h)), std::max(tail(h), head(h))); };
   std::sort(open.begin(), open.end(),
             [&](std::uint32_t g, std::uint32_t h) { return std::pair(ends(g), g) < std::pair(ends(h), h); });
   for (std::size_t first = 0; first < open.size();) {

@@ -48,6 +48,8 @@ class SphereArrangementPicture {
     add_vertices();
   }
 
+  SpherePicture take_cells() { return std::move(picture_); }
+
   SpherePicture take_picture(const LocateOnSphere& locate, std::uint32_t map_width) {
     fill_face_map(picture_, map_width, [&](const std::vector<Vector3>& directions) {
       std::vector<std::uint32_t> faces;
@@ -107,6 +109,11 @@ class SphereArrangementPicture {
 };
 
 }  // namespace
+
+SpherePicture sphere_cells_of(const Dcel& cells, const CurveHistory& history, const SpherePlaces& places,
+                              const ArrangementPictureOptions& options) {
+  return SphereArrangementPicture(cells, history, places, options).take_cells();
+}
 
 SpherePicture sphere_picture_of_cells(const Dcel& cells, const CurveHistory& history, const SpherePlaces& places,
                                       const ArrangementPictureOptions& options, const LocateOnSphere& locate,

@@ -23,6 +23,10 @@ using LocateOnSphere = std::function<std::vector<dcel::FaceId>(const std::vector
 /// to an edge as rounding. O(edges) each. The places must outlive it.
 LocateOnSphere nearest_edge_locator(const dcel::Dcel& cells, const SpherePlaces& places);
 
+/// What the cells say and look like, in the order of real cells, without a map of faces.
+SpherePicture sphere_cells_of(const dcel::Dcel& cells, const CurveHistory& history, const SpherePlaces& places,
+                              const ArrangementPictureOptions& options);
+
 /// The picture of cells whose places are known; the map of faces is as wide as `map_width` pixels.
 SpherePicture sphere_picture_of_cells(const dcel::Dcel& cells, const CurveHistory& history, const SpherePlaces& places,
                                       const ArrangementPictureOptions& options, const LocateOnSphere& locate,

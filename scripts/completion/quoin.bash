@@ -21,8 +21,7 @@ hull minkowski gaussian-map distance width arrange overlay locate polygon envelo
     --format)
       local formats="off obj stl ply qsolid html"
       case "${COMP_WORDS[1]}" in
-        arrange | overlay | locate) formats="svg html" ;;
-        gaussian-map) formats="html" ;;
+        arrange | overlay | locate | gaussian-map) formats="svg html" ;;
         polygon) formats="wkt geojson dxf svg html" ;;
       esac
       mapfile -t COMPREPLY < <(compgen -W "$formats" -- "$word")
@@ -38,7 +37,7 @@ hull minkowski gaussian-map distance width arrange overlay locate polygon envelo
     local options="$common"
     case "${COMP_WORDS[1]}" in
       union | intersection | difference | xor | csg | repair | convert | view | hull | minkowski) options+=" $makes" ;;
-      gaussian-map) options+=" $draws" ;;
+      gaussian-map) options+=" $draws --cube" ;;
       distance) options+=" --translate" ;;
       classify) options+=" --point --points --line" ;;
       section) options+=" --plane -o --output" ;;

@@ -185,6 +185,8 @@ class Distance(CommandTest):
         self.write("slab.off", box((0, 0, 0), (3, 5, 0.5)))
         report = self.json_of("width", "slab.off")
         self.assertEqual((report["width"], report["exact_squared_width"]), (0.5, "1/4"))
+        self.assert_keys(report["ball"], "radius squared_radius exact_squared_radius center exact_center witness")
+        self.assertEqual((report["ball"]["exact_squared_radius"], report["ball"]["center"]), ("137/16", [1.5, 2.5, 0.25]))
         self.assertEqual(sorted(len(face) for face in report["witness"]), [4, 4])
         self.write("segment.off", "OFF\n2 0 0\n5 0 0\n5 0 9\n")
         flat = self.json_of("width", "segment.off")
@@ -197,12 +199,39 @@ class GaussianMap(CommandTest):
         report = self.json_of("gaussian-map", "a.off")
         self.assertEqual((report["vertices"], report["edges"], report["faces"]), (6, 12, 8))
         self.assertEqual(report["polytope"], {"vertices": 8, "edges": 12, "facets": 6})
-        self.run_quoin("gaussian-map", "a.off", "-o", "map.svg", code=USAGE)
+        self.run_quoin("gaussian-map", "a.off", "-o", "map.qarr", code=USAGE)
+        self.run_quoin("gaussian-map", "a.off", "--labels", "-o", "map.svg")
+        flat = self.read("map.svg").decode()
+        self.assertIn("vertex 0 at [0.0,0.0,0.0]", flat)
+        self.assertEqual(flat, self.run_quoin("gaussian-map", "a.off", "--labels", "-q", "-o", "-").stdout)
         done = self.run_quoin("gaussian-map", "a.off", "-o", "map.html", code=None)
         if "was not built" in done.stderr:
             return
         self.assertEqual(done.returncode, DONE)
         self.assertIn(b"vertex 0 at [0.0,0.0,0.0]", self.read("map.html"))
+
+    def test_on_the_cube(self):
+        self.write("octahedron.off", "OFF 6 0 0\n1 0 0\n-1 0 0\n0 1 0\n0 -1 0\n0 0 1\n0 0 -1\n")
+        report = self.json_of("gaussian-map", "octahedron.off", "--cube")
+        self.assertEqual((report["vertices"], report["edges"], report["faces"]), (24, 24, 12))
+        self.assertEqual(report["polytope"], {"vertices": 6, "edges": 12, "facets": 8})
+        self.assertEqual(report["squares"][5], {"vertices": 4, "edges": 4, "faces": 2, "square": "z = 1"})
+        done = self.run_quoin("gaussian-map", "a.off", "--cube", "--labels", "-o", "cube.svg")
+        self.assertRegex(done.stdout, r"square y = -1 +9 vertices, 12 edges, 5 faces\n")
+        drawing = self.read("cube.svg").decode()
+        self.assertEqual(drawing.count('class="strong"'), 24)
+        self.assertIn("vertex 7 at [", drawing)
+        self.assertIn(">y = -1</text>", drawing)
+        self.run_quoin("gaussian-map", "a.off", "--cube", "-o", "cube.off", code=USAGE)
+        self.write("line.off", "OFF 3 0 0\n0 0 0\n1 1 1\n2 2 2\n")
+        self.assertIn("line.off", self.run_quoin("gaussian-map", "--cube", "line.off", code=REFUSED).stderr)
+
+    def test_curves_on_the_sphere_as_a_flat_picture(self):
+        self.write("curves.txt", "circle 0 0 1\narc 1 0 0 0 0 1\n")
+        self.run_quoin("arrange", "--sphere", "curves.txt", "-o", "flat.svg")
+        drawing = self.read("flat.svg").decode()
+        self.assertEqual(drawing.count("<title>Face "), 2)
+        self.assertIn("<title>Vertex 2", drawing)
 
 
 class Classify(CommandTest):

@@ -17,7 +17,7 @@ def help_of(*words):
 
 
 def main():
-    commands = re.findall(r"^  ([a-z]+) {2,}", help_of().split("Subcommands:")[1], re.M)
+    commands = re.findall(r"^  ([a-z-]+) {2,}", help_of().split("Subcommands:")[1], re.M)
     options = set()
     for name in commands:
         options |= set(re.findall(r"--[a-z-]+", help_of(name).split("Options:")[1]))

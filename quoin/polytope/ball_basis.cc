@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quoin/polytope/ball_basis.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+#include "quoin/base/error.h"
+
+namespace quoin::ball_basis {
+
+namespace {
+
+constexpr std::size_t most = 3;  // points of a support besides one
+
+/// Linear equations in as many unknowns, the last column on the right side.
+using Equations = std::array<std::array<Rational, most + 1>, most>;
+
+/// @return whether there is one solution, which the last column then holds
+bool solve(Equations& m, std::size_t size) {
+  for (std::size_t i = 0; i < size; ++i) {
+    std::size_t pivot = i;
+    while (pivot < size && m[pivot][i].sign() == Sign::zero) ++pivot;
+    if (pivot == size) return false;
+    std::swap(m[i], m[pivot]);
+    for (std::size_t k = size + 1; k-- > i;) m[i][k] /= m[i][i];
+    for (std::size_t row = 0; row < size; ++row) {
+      if (row == i) continue;
+      const Rational factor = m[row][i];
+      for (std::size_t k = i; k <= size; ++k) m[row][k] -= factor * m[i][k];
+    }
+  }
+  for (std::size_t i = 0; i < size; ++i) std::swap(m[i][most], m[i][size]);
+  return true;
+}
+
+/// A ball with all of some points on its sphere and its center inside their simplex: there is one at most, and none if
+/// they do not span one.
+///
+/// With the center at a + sum of t_k v_k for the vectors v_k from the first point a to the others, equal distances mean
+/// 2 v_i.(sum of t_k v_k) = v_i.v_i; inside is where all t_k and what they lack to one are positive.
+std::optional<SmallestBall> ball_through(std::span<const Point3> points, std::vector<std::uint32_t> support) {
+  const RationalPoint3 a = exact_point(points[support[0]]);
+  const std::size_t size = support.size() - 1;
+  std::array<RationalPoint3, most> v;
+  for (std::size_t i = 0; i < size; ++i) v[i] = exact_point(points[support[i + 1]]) - a;
+  Equations m;
+  for (std::size_t i = 0; i < size; ++i) {
+    for (std::size_t k = 0; k < size; ++k) m[i][k] = dot(v[i], v[k]) * Rational(2);
+    m[i][size] = dot(v[i], v[i]);
+  }
+  if (!solve(m, size)) return std::nullopt;
+  Rational rest(1);
+  RationalPoint3 to_center;
+  for (std::size_t i = 0; i < size; ++i) {
+    if (m[i][most].sign() != Sign::positive) return std::nullopt;
+    rest -= m[i][most];
+    to_center = to_center + v[i] * m[i][most];
+  }
+  if (rest.sign() != Sign::positive) return std::nullopt;
+  std::sort(support.begin(), support.end());
+  return SmallestBall{a + to_center, dot(to_center, to_center), std::move(support)};
+}
+
+}  // namespace
+
+SmallestBall of_point(std::span<const Point3> points, std::uint32_t only) {
+  return {exact_point(points[only]), Rational(0), {only}};
+}
+
+/// |p - c|^2 - |s - c|^2 = (p - s).(p + s - 2 c).
+bool is_outside(const SmallestBall& ball, const Point3& support, const Point3& p) {
+  if (p == support) return false;
+  Rational value(0);
+  for (unsigned axis = 0; axis < 3; ++axis) {
+    const Rational a(p[axis]);
+    const Rational b(support[axis]);
+    value += (a - b) * (a + b - ball.center[axis] - ball.center[axis]);
+  }
+  return value.sign() == Sign::positive;
+}
+
+/// The new point is in every support of the new ball. So of all sets of it and others of the old support one has a ball
+/// with the center inside that holds the rest too: it is the smallest, since no smaller one holds the set.
+SmallestBall grown(std::span<const Point3> points, const SmallestBall& ball, std::uint32_t outside) {
+  const std::vector<std::uint32_t>& old = ball.support;
+  for (unsigned subset = 1; subset < (1U << old.size()); ++subset) {
+    std::vector<std::uint32_t> support{outside};
+    for (std::size_t i = 0; i < old.size(); ++i) {
+      if ((subset >> i & 1U) != 0) support.push_back(old[i]);
+    }
+    if (support.size() > most + 1) continue;
+    std::optional<SmallestBall> found = ball_through(points, std::move(support));
+    if (!found) continue;
+    const Point3& on = points[outside];
+    if (std::none_of(old.begin(), old.end(), [&](std::uint32_t i) { return is_outside(*found, on, points[i]); }))
+      return std::move(*found);
+  }
+  throw InternalError("no ball through a point outside of another");
+}
+
+}  // namespace quoin::ball_basis

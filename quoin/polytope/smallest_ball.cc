@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quoin/polytope/smallest_ball.h"
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+#include "quoin/base/error.h"
+#include "quoin/polytope/ball_basis.h"
+#include "quoin/polytope/ball_filter.h"
+
+namespace quoin {
+
+namespace {
+
+void check(std::span<const Point3> points) {
+  if (points.empty()) throw InputError("there are no points that a ball could hold");
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Point3& p = points[i];
+    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
+      throw InputError("point " + std::to_string(i) + " has a coordinate that is not finite");
+  }
+}
+
+/// A point outside of the ball, or BallFilter::nobody.
+std::uint32_t find_outside(std::span<const Point3> points, const BallFilter& filter, const SmallestBall& ball,
+                           const Context& context) {
+  const BallFilter::Outcome filtered = filter.find_outside(ball, context);
+  if (filtered.outside != BallFilter::nobody) return filtered.outside;
+  const Point3& on = points[ball.support[0]];
+  for (std::size_t i = 0; i < filtered.open.size(); ++i) {
+    if (i % 256 == 0) context.poll();
+    if (ball_basis::is_outside(ball, on, points[filtered.open[i]])) return filtered.open[i];
+  }
+  return BallFilter::nobody;
+}
+
+}  // namespace
+
+SmallestBall smallest_ball(std::span<const Point3> points, const Context& context) {
+  check(points);
+  const BallFilter filter(points);
+  SmallestBall ball = ball_basis::of_point(points, 0);
+  while (true) {
+    const std::uint32_t outside = find_outside(points, filter, ball, context);
+    if (outside == BallFilter::nobody) return ball;
+    ball = ball_basis::grown(points, ball, outside);
+  }
+}
+
+}  // namespace quoin
