@@ -12,6 +12,7 @@
 
 #include "quoin/base/error.h"
 #include "quoin/polytope/convolution.h"
+#include "quoin/polytope/meeting.h"
 #include "quoin/solid/overlay/overlay.h"
 #include "quoin/solid/placement.h"
 #include "quoin/solid/shapes.h"
@@ -21,13 +22,6 @@ namespace quoin {
 namespace {
 
 using SharedLeaf = std::shared_ptr<const Leaf>;
-
-/// Whether the insides of two surfaces meet.
-bool meet(const SharedLeaf& a, const SharedLeaf& b, const Context& context) {
-  const std::vector<Expression> leaves{Expression::leaf(0), Expression::leaf(1)};
-  const std::vector<SharedLeaf> both{a, b};
-  return overlay_boundary(both, Expression::intersect(leaves), context).face_count() != 0;
-}
 
 /// A box about the first surface and everything that the second reaches from it, with room to spare.
 Mesh box_around(const Leaf& surface, const Leaf& tool) {
@@ -82,10 +76,11 @@ Solid minkowski_sum(const Solid& a, const Solid& b, const Context& context) {
   if (a.is_empty() || b.is_empty()) return {};
   const SharedLeaf first = leaf_of(a, "the first operand", context);
   const SharedLeaf second = leaf_of(b, "the second operand", context);
+  Meeting meeting(a.boundary(), first, b.boundary(), second, context);
   const auto kind_at = [&](const RationalPoint3& t) {
-    return meet(first, reflected(*second, t, context), context) ? CellKind::inside : CellKind::hole;
+    return meeting.with_reflection_at(t) ? CellVerdict::inside : CellVerdict::hole;
   };
-  return Solid::from_boundary(winding_boundary(convolve(first, second, context), CellKind::inside, kind_at, context),
+  return Solid::from_boundary(winding_boundary(convolve(first, second, context), CellVerdict::inside, kind_at, context),
                               "sum", context);
 }
 
@@ -95,12 +90,16 @@ Solid erosion(const Solid& a, const Solid& b, const Context& context) {
   const SharedLeaf solid = leaf_of(a, "the first operand", context);
   const SharedLeaf tool = leaf_of(b, "the second operand", context);
   const SharedLeaf rest = complement_in_box(*solid, *tool, context);
-  const SharedLeaf surface = convolve(rest, reflected(*tool, {}, context), context);
+  const Solid complement = Solid::from_leaf(rest, context);
+  const Solid reflected_tool = reflected(b, {}, context);
+  const SharedLeaf turned = leaf_of(reflected_tool, "the second operand", context);
+  const SharedLeaf surface = convolve(rest, turned, context);
+  Meeting meeting(complement.boundary(), rest, reflected_tool.boundary(), turned, context);
   const auto kind_at = [&](const RationalPoint3& t) {
-    if (!is_in_bounds(t + vertex_of(*tool, 0), *solid)) return CellKind::outside;
-    return meet(rest, translated(*tool, t, context), context) ? CellKind::inside : CellKind::hole;
+    if (!is_in_bounds(t + vertex_of(*tool, tool->tiles[0][0]), *solid)) return CellVerdict::outside;
+    return meeting.with_reflection_at(t) ? CellVerdict::inside : CellVerdict::hole;
   };
-  return Solid::from_boundary(winding_boundary(surface, CellKind::hole, kind_at, context), "erosion", context);
+  return Solid::from_boundary(winding_boundary(surface, CellVerdict::hole, kind_at, context), "erosion", context);
 }
 
 SumEstimate estimate_sum(const Solid& a, const Solid& b) {

@@ -33,7 +33,7 @@ Brep overlay_boundary(std::span<const std::shared_ptr<const Leaf>> leaves, const
   return boundary_of_cells(leaves, classify, context);
 }
 
-Brep winding_boundary(const std::shared_ptr<const Leaf>& leaf, CellKind kind, const CellQuestion& question,
+Brep winding_boundary(const std::shared_ptr<const Leaf>& leaf, CellVerdict kind, const CellQuestion& question,
                       const Context& context) {
   const auto classify = [&](const overlay::Sheets& sheets, const overlay::CellComplex& complex) {
     return overlay::classify_winding_cells(sheets, complex, kind, question, context);

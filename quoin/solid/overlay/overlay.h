@@ -24,17 +24,17 @@ Brep overlay_boundary(std::span<const std::shared_ptr<const Leaf>> leaves, const
                       const Context& context);
 
 /// What a cell is to a set that winds: in it, a hole of it, or the outside of everything.
-enum class CellKind : std::uint8_t { inside, hole, outside };
+enum class CellVerdict : std::uint8_t { inside, hole, outside };
 
 /// Asked about one point strictly inside a cell of winding number zero. The point is binary fractions with few digits
 /// where the room in the cell lets it be.
-using CellQuestion = std::function<CellKind(const RationalPoint3&)>;
+using CellQuestion = std::function<CellVerdict(const RationalPoint3&)>;
 
 /// Boundary of the cells of one leaf's tiles that are of the kind, which is not `outside`, in a set of which two things
 /// are known: points about which the leaf winds are in it, and wherever its boundary is, a tile lies whose normal
 /// points out of it. What that leaves open is asked, once or twice for each such cell. Exact, complexity as
 /// overlay_boundary, and O(tiles log tiles) for each question.
-Brep winding_boundary(const std::shared_ptr<const Leaf>& leaf, CellKind kind, const CellQuestion& question,
+Brep winding_boundary(const std::shared_ptr<const Leaf>& leaf, CellVerdict kind, const CellQuestion& question,
                       const Context& context);
 
 }  // namespace quoin

@@ -83,9 +83,9 @@ class CellKinds {
   }
 
   bool is_settled(std::uint32_t cell) const { return is_settled_[cell]; }
-  CellKind kind(std::uint32_t cell) const { return kinds_[cell]; }
+  CellVerdict kind(std::uint32_t cell) const { return kinds_[cell]; }
 
-  void settle(std::uint32_t cell, CellKind kind) {
+  void settle(std::uint32_t cell, CellVerdict kind) {
     mark(cell, kind);
     while (!waiting_.empty()) {
       const std::uint32_t next = waiting_.back();
@@ -95,7 +95,7 @@ class CellKinds {
   }
 
  private:
-  void mark(std::uint32_t cell, CellKind kind) {
+  void mark(std::uint32_t cell, CellVerdict kind) {
     if (is_settled_[cell]) return;
     is_settled_[cell] = true;
     kinds_[cell] = kind;
@@ -108,8 +108,8 @@ class CellKinds {
     const std::uint32_t other = is_front ? patch.back : patch.front;
     const bool points_to_other = is_front ? sides_[wall].back : sides_[wall].front;
     const bool points_here = is_front ? sides_[wall].front : sides_[wall].back;
-    if (kinds_[cell] == CellKind::inside) {
-      if (!points_to_other) mark(other, CellKind::inside);
+    if (kinds_[cell] == CellVerdict::inside) {
+      if (!points_to_other) mark(other, CellVerdict::inside);
     } else if (!points_here) {
       mark(other, kinds_[cell]);  // not inside, or this cell would be
     }
@@ -119,20 +119,20 @@ class CellKinds {
   const Walls& walls_;
   std::vector<CoverSides> sides_;  // by patch
   std::vector<bool> is_settled_;
-  std::vector<CellKind> kinds_;
+  std::vector<CellVerdict> kinds_;
   std::vector<std::uint32_t> waiting_;
 };
 
 }  // namespace
 
-CellTruth classify_winding_cells(const Sheets& sheets, const CellComplex& complex, CellKind kind,
+CellTruth classify_winding_cells(const Sheets& sheets, const CellComplex& complex, CellVerdict kind,
                                  const CellQuestion& question, const Context& context) {
   context.progress("winding numbers", 0);
   const Walls walls(complex);
   const std::vector<int> numbers = winding_numbers(sheets, complex, walls, context);
   CellKinds kinds(sheets, complex, walls);
   for (std::uint32_t cell = 0; cell < complex.cell_count; ++cell) {
-    if (numbers[cell] != 0) kinds.settle(cell, CellKind::inside);
+    if (numbers[cell] != 0) kinds.settle(cell, CellVerdict::inside);
   }
   for (const Patch& patch : complex.patches) {
     context.poll();

@@ -8,7 +8,7 @@
 namespace quoin::overlay {
 
 /// The cells of a kind in the set of winding_boundary (overlay.h).
-CellTruth classify_winding_cells(const Sheets& sheets, const CellComplex& complex, CellKind kind,
+CellTruth classify_winding_cells(const Sheets& sheets, const CellComplex& complex, CellVerdict kind,
                                  const CellQuestion& question, const Context& context);
 
 }  // namespace quoin::overlay
