@@ -108,7 +108,7 @@ CubicalMap cubical_map(const Polytope& p, const Context& context) {
 }
 
 CubicalMap cubical_map(const MapArcs& arcs, const Context& context) {
-  if (arcs.normals.empty()) throw InputError("a point or a segment has no map on the cube");
+  if (arcs.normals.empty() && !arcs.arcs.empty()) throw InputError("a segment has no map on the cube");
   CubicalMap map;
   map.arcs = arcs.arcs;
   const cube::Clipping clipping(arcs);

@@ -68,7 +68,7 @@ struct CubicalMap {
 
 /// Exact, in any position: normals on sides and corners of squares are ordinary, and arcs along sides. O(n log n).
 /// Source: Fogel and Halperin 2007.
-/// @throws InputError  of a point or a segment; Cancelled
+/// @throws InputError  of a segment; Cancelled
 CubicalMap cubical_map(const Polytope& p, const Context& context);
 /// Of what the arcs are of: a polytope, or a sum of two. @throws Cancelled
 CubicalMap cubical_map(const MapArcs& arcs, const Context& context);

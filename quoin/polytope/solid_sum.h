@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "quoin/base/context.h"
+#include "quoin/polytope/polytope.h"
 #include "quoin/solid/solid.h"
 
 namespace quoin {
@@ -22,6 +23,11 @@ Solid minkowski_sum(const Solid& a, const Solid& b, const Context& context);
 /// reflected leaves out, regularized: places where b fits, but only just in some direction, are left out too.
 /// Exact, complexity and errors as minkowski_sum; of an empty b it would be everything, which is an InputError.
 Solid erosion(const Solid& a, const Solid& b, const Context& context);
+
+/// The same with a convex polytope of any dimension, by the union of its sums with convex pieces of the solid: what a
+/// flat one sweeps along. Exact; O(sums) and one overlay of these. @throws InputError  the solid is unbounded; Cancelled
+Solid minkowski_sum(const Solid& a, const Polytope& b, const Context& context);
+Solid erosion(const Solid& a, const Polytope& b, const Context& context);
 
 /// How much work a sum is, before it starts.
 struct SumEstimate {

@@ -207,6 +207,22 @@ TEST(SolidSum, OfAPointSizedTetrahedronMovesTheOther) {
   EXPECT_TRUE((frame() - sum).is_empty());
 }
 
+TEST(SolidSum, WithAPolytopeOfAnyDimensionIsWhatItSweeps) {
+  const auto polytope = [](const Points& points) { return Polytope::hull_of(points, one_thread); };
+  const Solid l = box({0, 0, 0}, {2, 1, 1}) | box({0, 0, 0}, {1, 2, 1});
+  EXPECT_EQ(volume_of(minkowski_sum(l, polytope({{0, 0, 0}, {0, 0, 2}}), one_thread)), Rational(9));
+  EXPECT_EQ(volume_of(minkowski_sum(l, polytope({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}), one_thread)),
+            Rational(8));
+  EXPECT_EQ(volume_of(minkowski_sum(l, polytope({{5, 6, 7}}), one_thread)), Rational(3));
+  const Points tetrahedron{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  expect_same_set(minkowski_sum(frame(), polytope(tetrahedron), one_thread), sum_of(frame(), hull_of(tetrahedron)));
+  EXPECT_EQ(volume_of(erosion(l, polytope({{0, 0, 0}, {0.5, 0, 0}}), one_thread)), Rational(2));
+  EXPECT_EQ(volume_of(erosion(frame(), polytope({{0, 0, -0.5}, {0, 0, 0.5}}), one_thread)), Rational(20));
+  expect_same_set(erosion(frame(), polytope(tetrahedron), one_thread),
+                  erosion(frame(), hull_of(tetrahedron), one_thread));
+  EXPECT_THROW(erosion(~l, polytope(tetrahedron), one_thread), InputError);
+}
+
 TEST(SolidSum, RefusesWhatHasNoSum) {
   const Solid unit = box({0, 0, 0}, {1, 1, 1});
   EXPECT_TRUE(minkowski_sum(unit, Solid(), one_thread).is_empty());
