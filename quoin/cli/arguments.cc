@@ -189,11 +189,11 @@ void add_ball(CLI::App& command, Options& options, const std::string& inner) {
 }
 
 void add_solid_sums(CLI::App& app, Options& options) {
-  CLI::App* minkowski =
-      add_maker(app, options, "minkowski", "the sum of two solids, exactly: all sums of a point of each");
-  minkowski->add_option("files", options.inputs, "two meshes, .qsolid, or files of points, which mean their hull")
+  CLI::App* minkowski = add_maker(app, options, "minkowski", "the sum of solids, exactly: all sums of a point of each");
+  minkowski
+      ->add_option("files", options.inputs, "two or more meshes, .qsolid, or files of points, which mean their hull")
       ->required()
-      ->expected(1, 2);
+      ->expected(1, 1 << 20);
   add_ball(*minkowski, options, "of --ball: what lies within the exact sum (default: what holds it)");
   CLI::App* erode = add_maker(app, options, "erode", "where the second solid fits into the first, exactly");
   erode->add_option("files", options.inputs, "two meshes, .qsolid, or files of points, which mean their hull")

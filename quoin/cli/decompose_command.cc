@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <array>
 #include <filesystem>
 
 #include "quoin/base/error.h"
@@ -35,23 +34,6 @@ Options with_output(const Options& options, const std::string& name) {
   return one;
 }
 
-/// Twelve colours that differ, in turn.
-Color color_of(std::size_t piece) {
-  constexpr std::array<Color, 12> colors{{{230, 159, 0},
-                                          {86, 180, 233},
-                                          {0, 158, 115},
-                                          {240, 228, 66},
-                                          {0, 114, 178},
-                                          {213, 94, 0},
-                                          {204, 121, 167},
-                                          {153, 153, 153},
-                                          {136, 86, 167},
-                                          {127, 188, 65},
-                                          {222, 119, 174},
-                                          {102, 194, 165}}};
-  return colors[piece % colors.size()];
-}
-
 /// Every piece moved away from the centre of all by a quarter of its distance: convex pieces without common insides
 /// come apart.
 Solid exploded(const ConvexDecomposition& d, const Brep& whole, const Context& context) {
@@ -62,9 +44,6 @@ Solid exploded(const ConvexDecomposition& d, const Brep& whole, const Context& c
     auto leaf = std::make_shared<Leaf>(
         *translated(*leaf_of(d.pieces[i], "piece", context), (own - centre) * (Rational(1) / Rational(4)), context));
     leaf->name = "piece " + std::to_string(i + 1);
-    std::uint32_t faces = 0;
-    for (const std::uint32_t f : leaf->tile_face) faces = std::max(faces, f + 1);
-    leaf->face_colors.assign(faces, color_of(i));
     moved.push_back(Solid::of_leaf(std::move(leaf)));
   }
   return unite(moved, context);
@@ -124,7 +103,9 @@ int run_decomposition(const Options& options, const Context& context) {
   report["outputs"] = written.files;
   if (!written.refusals.empty())
     throw InputError(written.refusals + "not written: --accept-rounding takes them as they are");
-  const std::string text = as_text(report);
+  Json without_volumes = report;
+  without_volumes.erase("volumes");
+  const std::string text = as_text(without_volumes);
   print_report(std::move(report), text, warnings, options);
   return 0;
 }

@@ -2,7 +2,9 @@
 #include <string>
 #include <vector>
 
+#include "quoin/base/error.h"
 #include "quoin/cli/commands.h"
+#include "quoin/cli/inputs.h"
 #include "quoin/cli/planar.h"
 #include "quoin/cli/planar_pictures.h"
 #include "quoin/cli/polytope_inputs.h"
@@ -90,6 +92,8 @@ int run_gaussian_map(const Options& options, const Context& context) {
   std::vector<std::string> warnings;
   const std::string& name = options.inputs[0];
   const Polytope p = polytope_of(read_polytope(name, options, warnings, context), name, context);
+  if (options.cube && p.dimension() < 2)
+    throw InputError(shown(name) + ": a point or a segment has no map on the cube");
   return options.cube ? report_on_cube(p, warnings, options, context) : report_on_sphere(p, warnings, options, context);
 }
 

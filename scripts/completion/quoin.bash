@@ -3,7 +3,7 @@
 _quoin() {
   local word="${COMP_WORDS[COMP_CWORD]}" previous="${COMP_WORDS[COMP_CWORD - 1]}"
   local commands="union intersection difference xor csg info check repair convert view classify section interfere \
-hull minkowski gaussian-map distance width arrange overlay locate polygon envelope"
+hull minkowski erode decompose gaussian-map distance width arrange overlay locate polygon envelope"
   local common="--json --threads --timeout --seed --weld -q --quiet -v --verbose -h --help"
   local makes="-o --output --format --accept-rounding"
   local draws="-o --output --format --labels"
@@ -31,12 +31,13 @@ hull minkowski gaussian-map distance width arrange overlay locate polygon envelo
       mapfile -t COMPREPLY < <(compgen -W "even-odd nonzero positive" -- "$word")
       return
       ;;
-    --translate | --threads | --timeout | --seed | --weld | --point | --line | --plane | --flatten | --distance | --precision) return ;;
+    --ball | --within | --translate | --threads | --timeout | --seed | --weld | --point | --line | --plane | --flatten | --distance | --precision) return ;;
   esac
   if [[ $word == -* ]]; then
     local options="$common"
     case "${COMP_WORDS[1]}" in
-      union | intersection | difference | xor | csg | repair | convert | view | hull | minkowski) options+=" $makes" ;;
+      union | intersection | difference | xor | csg | repair | convert | view | hull | decompose) options+=" $makes" ;;
+      minkowski | erode) options+=" $makes --ball --within --inner" ;;
       gaussian-map) options+=" $draws --cube" ;;
       distance) options+=" --translate" ;;
       classify) options+=" --point --points --line" ;;

@@ -4,6 +4,7 @@
     check_queries.py QUOIN
 """
 import json
+import math
 
 from command import DONE, FILE_TROUBLE, REFUSED, USAGE, CommandTest, box, main
 
@@ -154,11 +155,60 @@ class Minkowski(CommandTest):
         self.assertAlmostEqual(report["volume"], 8 * self.info("cut.qsolid")["volume"])
         self.assertEqual(self.json_of("distance", "cut.qsolid", "cut.qsolid")["relation"], "overlapping")
 
-    def test_what_is_not_convex(self):
-        self.run_quoin("union", "a.off", "b.off", "-o", "u.off")
-        self.assertRegex(self.run_quoin("minkowski", "u.off", "a.off", code=REFUSED).stderr, r"not convex at the edge from \(")
+    def test_solids_that_are_not_convex(self):
+        self.run_quoin("difference", "a.off", "b.off", "-o", "l.off")
+        report = self.json_of("minkowski", "l.off", "l.off", "-o", "s.off")
+        self.assertEqual(self.json_of("check", "s.off")["valid"], True)
+        self.assertEqual(report["dimension"], 3)
+        self.assertAlmostEqual(report["volume"], self.info("s.off")["volume"])
+        self.write("segment.off", "OFF\n2 0 0\n0 0 0\n0 0 3\n")
+        self.assertEqual(self.json_of("minkowski", "segment.off", "l.off", "segment.off")["volume"],
+                         self.json_of("minkowski", "l.off", "segment.off", "segment.off")["volume"])
         self.run_quoin("union", "a.off", "far.off", "-o", "two.off")
-        self.assertIn("2 parts", self.run_quoin("minkowski", "two.off", "a.off", code=REFUSED).stderr)
+        self.assertEqual(self.json_of("minkowski", "two.off", "a.off")["result"]["components"], 2)
+        self.run_quoin("csg", "!x", "x=a.off", "-o", "all_but.qsolid")
+        self.assertIn("unbounded", self.run_quoin("minkowski", "l.off", "all_but.qsolid", code=REFUSED).stderr)
+
+    def test_balls(self):
+        outer = self.json_of("minkowski", "a.off", "--ball", "1", "--within", "0.05")["volume"]
+        inner = self.json_of("minkowski", "a.off", "--ball", "1", "--within", "0.05", "--inner")["volume"]
+        exact = 8 + 24 + 6 * math.pi + 4 / 3 * math.pi
+        self.assertLess(inner, exact)
+        self.assertLess(exact, outer)
+        self.assertLess(outer - inner, 0.1 * 60)
+        self.run_quoin("minkowski", "a.off", "--inner", "a.off", code=USAGE)
+        self.run_quoin("minkowski", "a.off", "--ball", "-1", code=USAGE)
+        self.run_quoin("erode", "a.off", "b.off", "--ball", "1", code=USAGE)
+        self.assertIn("millionth", self.run_quoin("erode", "a.off", "--ball", "1", "--within", "1e-9", code=REFUSED).stderr)
+
+
+class Erode(CommandTest):
+    def test_boxes(self):
+        self.write("small.off", box((0, 0, 0), (0.5, 0.5, 1)))
+        report = self.json_of("erode", "a.off", "small.off", "-o", "rest.qsolid")
+        self.assertEqual((report["volume"], report["facets"]), (2.25, 6))
+        self.assertEqual(self.info("rest.qsolid")["bounds"], [[0, 0, 0], [1.5, 1.5, 1]])
+        self.assertIn("empty", self.json_of("erode", "a.off", "b.off")["warnings"][-1])
+        self.write("segment.off", "OFF\n2 0 0\n0 0 0\n0 0 1\n")
+        self.assertEqual(self.json_of("erode", "a.off", "segment.off")["volume"], 4)
+        self.assertIn("bound no solid", self.run_quoin("erode", "segment.off", "a.off", code=REFUSED).stderr)
+        self.assertAlmostEqual(self.json_of("erode", "a.off", "--ball", "0.5", "--inner")["volume"], 1, delta=0.1)
+
+
+class Decompose(CommandTest):
+    def test_pieces(self):
+        self.run_quoin("difference", "a.off", "b.off", "-o", "l.off")
+        report = self.json_of("decompose", "l.off", "-o", "piece.off", "-o", "piece.qsolid")
+        self.assert_keys(report, "seconds pieces lower_bound notches cuts volumes outputs warnings")
+        self.assertGreaterEqual(report["pieces"], report["lower_bound"])
+        self.assertEqual(len(report["outputs"]), 2 * report["pieces"])
+        names = [f"piece-{i + 1}.off" for i in range(report["pieces"])]
+        for name in names:
+            self.assertEqual(self.json_of("minkowski", name, name)["dimension"], 3)
+        self.run_quoin("union", *names, "-o", "again.off")
+        self.assertEqual(self.json_of("csg", "x ^ y", "x=again.off", "y=l.off")["result"]["faces"], 0)
+        self.assertEqual(self.json_of("decompose", "a.off")["pieces"], 1)
+        self.run_quoin("decompose", "l.off", "-o", "-", code=USAGE)
 
 
 class Distance(CommandTest):

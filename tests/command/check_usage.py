@@ -16,8 +16,9 @@ COMMANDS = {"union": ["a.off", "b.off"], "intersection": ["a.off", "b.off"], "di
             "repair": ["a.off"], "convert": ["a.off"], "view": ["a.off", "-o", "v.off"],
             "classify": ["a.off", "--point", "1,1,1"], "section": ["a.off", "--plane", "0,0,1,1"],
             "interfere": ["a.off", "b.off"], "hull": ["a.off", "b.off"], "minkowski": ["a.off", "b.off"],
+            "erode": ["a.off", "b.off"], "decompose": ["a.off", "-o", "p.off"],
             "distance": ["a.off", "b.off"], "width": ["a.off"], "gaussian-map": ["a.off"]}
-MAKERS = ("union", "intersection", "difference", "xor", "csg", "repair", "convert", "view", "hull", "minkowski")
+MAKERS = ("union", "intersection", "difference", "xor", "csg", "repair", "convert", "view", "hull", "minkowski", "erode")
 
 
 class Usage(CommandTest):
