@@ -143,6 +143,8 @@ void write_all(const std::filesystem::path& folder) {
   write("cube", shapes::triangulated(shapes::box({-0.25, -0.25, -0.25}, {0.25, 0.25, 0.25})));
   write("ball", on_grid(shapes::geodesic_sphere(7, 0.25)));
   write("small_ball", on_grid(shapes::geodesic_sphere(3, 0.25)));
+  write("brick", shapes::triangulated(shapes::box({0, 0, 0}, {10, 20, 5})));
+  write("round_corner", on_grid(shapes::uv_sphere(32, 16, 2)));
   write("torus", on_grid(shapes::torus(32, 16, 2, 0.75)));
   write("torus_full", shapes::torus(32, 16, 2, 0.75));
   write("ball_full", shapes::geodesic_sphere(3, 0.25));
