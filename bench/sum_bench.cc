@@ -2,7 +2,7 @@
 // Times Minkowski sums of two polytopes given as points, and prints a line of JSON; peers/cgal_sum.cc does the same.
 //
 //   sum_bench [--rounds N] A B             files of points, a line each
-//   sum_bench --write FREQUENCY DEGREES OUT    the vertices of a geodesic sphere, turned about two axes
+//   sum_bench --write SHAPE DEGREES OUT    the vertices of a shape, turned about two axes (polytope_points.h)
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -14,8 +14,8 @@
 
 #include "peak_memory.h"
 #include "point_file.h"
+#include "polytope_points.h"
 #include "quoin/polytope/minkowski_sum.h"
-#include "quoin/solid/shapes.h"
 
 namespace {
 
@@ -25,18 +25,6 @@ std::vector<quoin::Point3> points_of(const std::string& file) {
   std::vector<quoin::Point3> points;
   for (const auto& [x, y, z] : point_file::read(file)) points.push_back({x, y, z});
   return points;
-}
-
-void write_sphere(std::size_t frequency, double degrees, const std::string& file) {
-  quoin::Mesh mesh = quoin::shapes::geodesic_sphere(frequency);
-  const double angle = degrees * 0.017453292519943295;
-  if (angle != 0) {
-    mesh = quoin::shapes::rotated(mesh, quoin::shapes::Axis::x, angle);
-    mesh = quoin::shapes::rotated(mesh, quoin::shapes::Axis::z, angle);
-  }
-  std::vector<point_file::Point> points;
-  for (const quoin::Point3& p : mesh.vertices) points.push_back({p.x, p.y, p.z});
-  point_file::write(file, points);
 }
 
 /// From points to polytopes, and from these to the sum, apart.
@@ -68,7 +56,9 @@ int main(int argc, char** argv) {
   std::vector<std::string> words(argv + 1, argv + argc);
   try {
     if (words.size() == 4 && words[0] == "--write") {
-      write_sphere(std::stoul(words[1]), std::stod(words[2]), words[3]);
+      const double degrees = std::stod(words[2]);
+      const polytope_points::Points points = polytope_points::named(words[1]);
+      point_file::write(words[3], degrees == 0 ? points : polytope_points::turned(points, degrees));
       return 0;
     }
     int rounds = 1;
