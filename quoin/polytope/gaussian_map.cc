@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "quoin/polytope/closest_point.h"
+#include "quoin/kernel/closest_point.h"
 
 namespace quoin {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "quoin/base/error.h"
-#include "quoin/polytope/closest_point.h"
+#include "quoin/kernel/closest_point.h"
 
 namespace quoin {
 

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quoin/solid/query/boundary_distance.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "quoin/base/error.h"
+#include "quoin/solid/box_tree.h"
+#include "quoin/solid/exit_triangulation.h"
+#include "quoin/solid/query/triangle_distance.h"
+
+namespace quoin {
+
+namespace {
+
+using closest::PointPair;
+using closest::SquaredBounds;
+using closest::Triangle;
+using closest::TrianglePair;
+using closest::Vector;
+
+/// A boundary as triangles that cover its faces exactly, in a tree.
+class Covered {
+ public:
+  Covered(const Brep& boundary, const Context& context) : boundary_(boundary) {
+    const std::size_t count = boundary.points.point_count();
+    std::vector<std::uint8_t> is_rounded(count, 0);
+    for (std::size_t v = 0; v < count; ++v) {
+      const PointId p{static_cast<std::uint32_t>(v)};
+      rounded_.push_back(boundary.points.rounded(p));
+      is_rounded[v] = boundary.points.is_exact(p) ? 0 : 1;
+      are_exact_ = are_exact_ && is_rounded[v] == 0;
+    }
+    // A face that is a triangle is one wherever its corners are.
+    const std::vector<std::uint8_t> none_moved(count, 0);
+    triangles_ = triangulate_faces(boundary, rounded_, none_moved, context);
+    std::vector<std::uint32_t> anew = triangles_.failed_faces;
+    for (std::uint32_t f = 0; f < boundary.face_count(); ++f) {
+      if (!is_triangle(f) && has_any(f, is_rounded)) anew.push_back(f);
+    }
+    std::sort(anew.begin(), anew.end());
+    anew.erase(std::unique(anew.begin(), anew.end()), anew.end());
+    if (!anew.empty() &&
+        !triangulate_exactly(boundary, anew, triangles_.triangles, triangles_.triangle_face, context)) {
+      throw InputError("a face of a boundary bounds no polygon");
+    }
+    tree_ = BoxTree(rounded_, triangles_.triangles, context);
+  }
+
+  const BoxTree& tree() const { return tree_; }
+  bool are_exact() const { return are_exact_; }
+  std::uint32_t face_of(std::uint32_t t) const { return triangles_.triangle_face[t]; }
+  Triangle<double> rounded(std::uint32_t t) const {
+    Triangle<double> result;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Point3& p = rounded_[triangles_.triangles[t][i]];
+      result[i] = {p.x, p.y, p.z};
+    }
+    return result;
+  }
+  Triangle<Rational> exact(std::uint32_t t) const {
+    Triangle<Rational> result;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const RationalPoint3 p = boundary_.points.exact(PointId{triangles_.triangles[t][i]});
+      result[i] = {p.x, p.y, p.z};
+    }
+    return result;
+  }
+
+ private:
+  bool is_triangle(std::uint32_t f) const {
+    const std::uint32_t l = boundary_.face_first_loop[f];
+    return boundary_.face_first_loop[f + 1] - l == 1 && boundary_.loop(l).size() == 3;
+  }
+  bool has_any(std::uint32_t f, const std::vector<std::uint8_t>& marks) const {
+    for (std::uint32_t l = boundary_.face_first_loop[f]; l < boundary_.face_first_loop[f + 1]; ++l) {
+      for (const PointId p : boundary_.loop(l)) {
+        if (marks[p.index()] != 0) return true;
+      }
+    }
+    return false;
+  }
+
+  const Brep& boundary_;
+  std::vector<Point3> rounded_;
+  FaceTriangles triangles_;
+  BoxTree tree_;
+  bool are_exact_ = true;
+};
+
+class Search {
+ public:
+  Search(const Covered& a, const Covered& b, const Context& context) : a_(a), b_(b), context_(context) {}
+
+  BoundaryDistance run() {
+    BoxTree::nearest_pairs(
+        a_.tree(), b_.tree(), [&](const TilePair& pair) { return visit(pair); }, context_);
+    std::sort(left_.begin(), left_.end());
+    for (const auto& [lower, pair] : left_) {
+      if (best_ && Rational(lower) >= best_->squared_length) break;
+      compare_exactly(pair);
+    }
+    const auto point = [&](std::size_t k) -> RationalPoint3 {
+      const Vector<Rational>& p = best_->points[k];
+      return {p[0], p[1], p[2]};
+    };
+    return {best_->squared_length, {point(0), point(1)}};
+  }
+
+ private:
+  /// Pairs that are surely apart wait until the bound is as low as it gets; others are decided at once.
+  double visit(const TilePair& pair) {
+    const SquaredBounds bounds =
+        closest::squared_bounds(a_.rounded(pair.a), b_.rounded(pair.b), a_.are_exact() && b_.are_exact());
+    if (bounds.lower > bound_) return bound_;
+    if (bounds.lower > 0) {
+      left_.emplace_back(bounds.lower, pair);
+      bound_ = std::min(bound_, bounds.upper);
+      return bound_;
+    }
+    compare_exactly(pair);
+    if (best_->squared_length.sign() == Sign::zero) {
+      left_.clear();
+      bound_ = -1;
+    } else {
+      bound_ = std::min(bound_, best_->squared_length.to_double() * (1 + 0x1p-52) + 0x1p-1070);
+    }
+    return bound_;
+  }
+
+  void compare_exactly(const TilePair& pair) {
+    context_.poll();
+    const std::pair<std::uint32_t, std::uint32_t> faces{a_.face_of(pair.a), b_.face_of(pair.b)};
+    const auto known = plane_distances_.find(faces);
+    if (best_ && known != plane_distances_.end() && known->second >= best_->squared_length) return;
+    const Triangle<Rational> p = a_.exact(pair.a);
+    const Triangle<Rational> q = b_.exact(pair.b);
+    TrianglePair<Rational> triangles(p, q);
+    if (const auto common = triangles.common_point()) {
+      best_ = PointPair<Rational>{{*common, *common}, Rational(0), {}};
+      return;
+    }
+    PointPair<Rational> nearest = triangles.nearest();
+    if (!best_ || nearest.squared_length < best_->squared_length) best_ = std::move(nearest);
+    if (known == plane_distances_.end()) remember_planes(faces, triangles, closest::difference(p[0], q[0]));
+  }
+
+  /// No two points of faces in parallel planes are nearer than these: of the many pairs of triangles that two such
+  /// faces may have, one is enough.
+  void remember_planes(const std::pair<std::uint32_t, std::uint32_t>& faces, const TrianglePair<Rational>& triangles,
+                       const Vector<Rational>& between) {
+    const Vector<Rational>& n = triangles.normal(0);
+    const Rational zero(0);
+    if (closest::cross(n, triangles.normal(1)) != Vector<Rational>{zero, zero, zero}) return;
+    const Rational height = closest::dot(n, between);
+    plane_distances_.emplace(faces, height * height / closest::dot(n, n));
+  }
+
+  const Covered& a_;
+  const Covered& b_;
+  const Context& context_;
+  double bound_ = std::numeric_limits<double>::infinity();
+  std::vector<std::pair<double, TilePair>> left_;  // with lower bounds
+  std::optional<PointPair<Rational>> best_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, Rational> plane_distances_;
+};
+
+}  // namespace
+
+BoundaryDistance boundary_distance(const Brep& a, const Brep& b, const Context& context) {
+  if (a.face_count() == 0 || b.face_count() == 0) throw InputError("a boundary without faces has no distance");
+  const Covered in_a(a, context);
+  const Covered in_b(b, context);
+  return Search(in_a, in_b, context).run();
+}
+
+}  // namespace quoin
