@@ -2,12 +2,14 @@
 #include "quoin/solid/query/boundary_distance.h"
 
 #include <algorithm>
-#include <map>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "quoin/base/error.h"
+#include "quoin/number/interval.h"
 #include "quoin/solid/box_tree.h"
 #include "quoin/solid/exit_triangulation.h"
 #include "quoin/solid/query/triangle_distance.h"
@@ -132,32 +134,52 @@ class Search {
   }
 
   void compare_exactly(const TilePair& pair) {
-    context_.poll();
-    const std::pair<std::uint32_t, std::uint32_t> faces{a_.face_of(pair.a), b_.face_of(pair.b)};
-    const auto known = plane_distances_.find(faces);
-    if (best_ && known != plane_distances_.end() && known->second >= best_->squared_length) return;
+    if (++compared_ % 16 == 0) context_.poll();
+    if (best_ && is_no_nearer(enclosed(a_, pair.a), enclosed(b_, pair.b), enclosed_between_)) return;
     const Triangle<Rational> p = a_.exact(pair.a);
     const Triangle<Rational> q = b_.exact(pair.b);
+    if (best_ && is_no_nearer(p, q, between_)) return;
     TrianglePair<Rational> triangles(p, q);
     if (const auto common = triangles.common_point()) {
       best_ = PointPair<Rational>{{*common, *common}, Rational(0), {}};
       return;
     }
     PointPair<Rational> nearest = triangles.nearest();
-    if (!best_ || nearest.squared_length < best_->squared_length) best_ = std::move(nearest);
-    if (known == plane_distances_.end()) remember_planes(faces, triangles, closest::difference(p[0], q[0]));
+    if (best_ && nearest.squared_length >= best_->squared_length) return;
+    best_ = std::move(nearest);
+    between_ = closest::difference(best_->points[0], best_->points[1]);
+    for (std::size_t axis = 0; axis < 3; ++axis) enclosed_between_[axis] = Interval::around(between_[axis]);
   }
 
-  /// No two points of faces in parallel planes are nearer than these: of the many pairs of triangles that two such
-  /// faces may have, one is enough.
-  void remember_planes(const std::pair<std::uint32_t, std::uint32_t>& faces, const TrianglePair<Rational>& triangles,
-                       const Vector<Rational>& between) {
-    const Vector<Rational>& n = triangles.normal(0);
-    const Rational zero(0);
-    if (closest::cross(n, triangles.normal(1)) != Vector<Rational>{zero, zero, zero}) return;
-    const Rational height = closest::dot(n, between);
-    plane_distances_.emplace(faces, height * height / closest::dot(n, n));
+  /// Whether a pair is surely as far apart as the best one already along the line through the points of that one: of
+  /// many pairs that are equally near, as between parallel faces and their borders, nearly all.
+  template <class Number>
+  static bool is_no_nearer(const Triangle<Number>& p, const Triangle<Number>& q, const Vector<Number>& between) {
+    const Number square = closest::dot(between, between);
+    for (const Vector<Number>& y : q) {
+      const Number reached = closest::dot(between, y) + square;
+      for (const Vector<Number>& x : p) {
+        if (!is_at_least(closest::dot(between, x), reached)) return false;
+      }
+    }
+    return true;
   }
+  static bool is_at_least(const Rational& x, const Rational& y) { return x >= y; }
+  static bool is_at_least(const Interval& x, const Interval& y) { return x.lower() >= y.upper(); }
+
+  static Triangle<Interval> enclosed(const Covered& boundary, std::uint32_t t) {
+    const Triangle<double> rounded = boundary.rounded(t);
+    Triangle<Interval> result;
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double x = rounded[i][axis];
+        result[i][axis] = boundary.are_exact() ? Interval(x) : Interval(previous(x), next(x));
+      }
+    }
+    return result;
+  }
+  static double next(double x) { return std::nextafter(x, std::numeric_limits<double>::infinity()); }
+  static double previous(double x) { return -next(-x); }
 
   const Covered& a_;
   const Covered& b_;
@@ -165,7 +187,9 @@ class Search {
   double bound_ = std::numeric_limits<double>::infinity();
   std::vector<std::pair<double, TilePair>> left_;  // with lower bounds
   std::optional<PointPair<Rational>> best_;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, Rational> plane_distances_;
+  Vector<Rational> between_;  // of its points
+  Vector<Interval> enclosed_between_;
+  std::size_t compared_ = 0;
 };
 
 }  // namespace

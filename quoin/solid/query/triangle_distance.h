@@ -40,8 +40,6 @@ class TrianglePair {
     }
   }
 
-  const Vector<Number>& normal(std::size_t k) const { return normals_[k]; }
-
   PointPair<Number> nearest() {
     for (std::size_t k = 0; k < 2; ++k) {
       for (std::size_t i = 0; i < 3; ++i) consider_vertex(k, i);
