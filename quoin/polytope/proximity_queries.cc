@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "quoin/base/error.h"
-#include "quoin/kernel/closest_point.h"
 
 namespace quoin {
 
@@ -153,10 +152,6 @@ TranslationRelation ProximityQueries::relation_of(const Query& t, ProximityHint&
   return {sign > 0 ? Proximity::apart : Proximity::overlapping, {2, body_.first_rim(f)}};
 }
 
-TranslationRelation ProximityQueries::relation(const Vector3& translation, ProximityHint& hint) const {
-  return relation_of(query_of(translation), hint);
-}
-
 /// The foot, if it is on the inner side of all rims. Else an edge with the foot on its outer side and between the
 /// planes through its ends; or a vertex with the foot behind both its edges, one of which has it on its outer side.
 ProximityQueries::Closest ProximityQueries::closest_in(std::uint32_t f, const Query& t) const {
@@ -221,63 +216,14 @@ TranslationNearest ProximityQueries::nearest_of(const Query& t, ProximityHint& h
   }
 }
 
+TranslationRelation ProximityQueries::relation(const Vector3& translation, ProximityHint& hint) const {
+  return relation_of(query_of(translation), hint);
+}
+
 TranslationNearest ProximityQueries::nearest(const Vector3& translation, ProximityHint& hint) const {
   const Query t = query_of(translation);
   TranslationNearest result = nearest_of(t, hint);
   if (result.relation == Proximity::apart) result.squared_distance = squared_distance(result.feature, t.exact);
-  return result;
-}
-
-Interval ProximityQueries::squared_distance(const TranslationFeature& feature, const Point3& t) const {
-  using Enclosed = closest::Vector<Interval>;
-  const auto enclosed = [&](std::uint32_t v) -> Enclosed {
-    const Point3& p = body_.point_of_first(v);
-    const Point3& q = body_.point_of_second(v);
-    return {Interval(q.x) - Interval(p.x), Interval(q.y) - Interval(p.y), Interval(q.z) - Interval(p.z)};
-  };
-  const auto length = [](const Enclosed& v) { return square(v[0]) + square(v[1]) + square(v[2]); };
-  const std::uint32_t rim = feature.dimension == 2 ? body_.first_rim(body_.facet_of(feature.rim)) : feature.rim;
-  const Enclosed origin = enclosed(body_.tail(rim));
-  const Enclosed to_t = closest::difference(Enclosed{Interval(t.x), Interval(t.y), Interval(t.z)}, origin);
-  if (feature.dimension == 0) return length(to_t);
-  const std::uint32_t next = body_.next(rim);
-  const Enclosed edge = closest::difference(enclosed(body_.tail(next)), origin);
-  if (feature.dimension == 1) return length(closest::cross(edge, to_t)) / length(edge);
-  const Enclosed normal = closest::cross(edge, closest::difference(enclosed(body_.tail(body_.next(next))), origin));
-  return square(closest::dot(normal, to_t)) / length(normal);
-}
-
-TranslationDistance ProximityQueries::distance(const Vector3& translation, ProximityHint& hint) const {
-  const Query t = query_of(translation);
-  const TranslationNearest nearest = nearest_of(t, hint);
-  TranslationDistance result{nearest.relation, nearest.feature};
-  if (nearest.relation == Proximity::overlapping) return result;
-  const RationalPoint3 from = exact_point(t.exact);
-  std::vector<std::uint32_t> corners{body_.tail(nearest.feature.rim)};
-  if (nearest.feature.dimension > 0) {
-    for (std::uint32_t rim = body_.next(nearest.feature.rim); rim != nearest.feature.rim; rim = body_.next(rim)) {
-      corners.push_back(body_.tail(rim));
-      if (nearest.feature.dimension == 1) break;
-    }
-  }
-  std::vector<closest::Vector<Rational>> polygon;
-  for (const std::uint32_t v : corners) {
-    const RationalPoint3 p = body_.exact(v) - from;
-    polygon.push_back({p.x, p.y, p.z});
-  }
-  closest::ClosestPoint<Rational> point{polygon[0], closest::dot(polygon[0], polygon[0]), {0, 0, 0}, {1, 0, 0}};
-  if (nearest.feature.dimension == 1) point = closest::on_edge<Rational>(polygon, 0);
-  if (nearest.feature.dimension == 2) {
-    const RationalPoint3 n = body_.exact_normal(body_.facet_of(nearest.feature.rim));
-    point = closest::on_polygon<Rational>(polygon, {n.x, n.y, n.z});
-  }
-  result.squared_distance = point.squared_length;
-  result.witness = {from, {0, 0, 0}};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::uint32_t v = corners[point.corners[i]];
-    result.witness[0] = result.witness[0] + exact_point(body_.point_of_first(v)) * point.weights[i];
-    result.witness[1] = result.witness[1] + exact_point(body_.point_of_second(v)) * point.weights[i];
-  }
   return result;
 }
 
@@ -292,27 +238,8 @@ DirectionalPenetration ProximityQueries::penetration(const Vector3& translation,
   const std::uint32_t f =
       walk(from, other, hint.steps, [&](std::uint32_t rim) { return seen_along(rim, t, direction) < 0; });
   hint.exit = f;
-  const RationalPoint3 n = body_.exact_normal(f);
-  const RationalPoint3 to_plane = body_.exact(body_.tail(body_.first_rim(f))) - exact_point(t.exact);
   const RationalPoint3 along = exact_point({direction.x, direction.y, direction.z});
-  return {dot(n, to_plane) / dot(n, along), f};
-}
-
-std::array<std::vector<std::uint32_t>, 2> ProximityQueries::faces_of(const TranslationFeature& feature) const {
-  std::array<std::vector<std::uint32_t>, 2> faces;
-  const auto add = [&](std::uint32_t v) {
-    for (std::size_t k = 0; k < 2; ++k) faces[k].push_back(body_.sources(v)[k]);
-  };
-  add(body_.tail(feature.rim));
-  if (feature.dimension == 1) add(body_.head(feature.rim));
-  if (feature.dimension == 2) {
-    for (std::uint32_t rim = body_.next(feature.rim); rim != feature.rim; rim = body_.next(rim)) add(body_.tail(rim));
-  }
-  for (auto& face : faces) {
-    std::sort(face.begin(), face.end());
-    face.erase(std::unique(face.begin(), face.end()), face.end());
-  }
-  return faces;
+  return {-exact_height(f, t.exact) / dot(body_.exact_normal(f), along), f};
 }
 
 }  // namespace quoin

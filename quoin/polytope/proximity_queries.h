@@ -57,6 +57,22 @@ struct DirectionalPenetration {
   std::uint32_t facet = ProximityHint::none;  ///< the facet through which the body is left, if they do
 };
 
+/// The shortest translation that separates the interiors.
+struct ShortestPenetration {
+  Rational squared_depth{0};                  ///< 0 unless they overlap
+  std::uint32_t facet = ProximityHint::none;  ///< the facet through which the body is left, if they do
+  RationalPoint3 separation{};                ///< that translation, of the first
+  std::array<RationalPoint3, 2>
+      witness{};  ///< a point of the first where it is, which that brings to one of the second
+};
+
+/// What happens while the first moves straight from one translation to another.
+struct TranslationPassage {
+  Proximity relation = Proximity::apart;  ///< the deepest on the way; touching where they graze or slide along
+  Rational enter{0};  ///< unless apart: they have common points from this part of the way, in [0, 1]
+  Rational leave{0};  ///< to this one
+};
+
 /// Answers how two convex polytopes lie to one another for any translation of the first, exactly.
 ///
 /// Made once, of the body of all translations at which they have a common point; then each query walks over its facets
@@ -67,7 +83,8 @@ struct DirectionalPenetration {
 /// length of its walk: tens to hundreds of nanoseconds where translations change little. Turned polytopes need a new
 /// one. Immutable after construction; safe to share between threads, each with its hints.
 /// Source: Fogel and Halperin 2007; Lin and Canny 1991 (regions of features).
-/// Queries throw InputError where a number is not finite, or a direction is zero.
+/// Queries throw InputError where a number is not finite, or a direction is zero; those that may look at all facets,
+/// Cancelled.
 class ProximityQueries {
  public:
   /// O(n log n) for the sum's size n. @throws InputError if both are flat, Cancelled
@@ -82,6 +99,14 @@ class ProximityQueries {
   /// The least depth >= 0 such that the interiors have no common point once the first, translated, has moved by depth
   /// times the direction. The direction is not normalised.
   DirectionalPenetration penetration(const Vector3& translation, const Vector3& direction, ProximityHint& hint) const;
+
+  /// Of all facets those that are nearest in doubles, compared exactly: O(facets).
+  ShortestPenetration shortest_penetration(const Vector3& translation, ProximityHint& hint,
+                                           const Context& context) const;
+
+  /// Exact; a plane of the body with the whole way before it tells that they stay apart, at once if it is that of the
+  /// hint. Else O(facets).
+  TranslationPassage passage(const Vector3& from, const Vector3& to, ProximityHint& hint, const Context& context) const;
 
   /// The vertices of the faces of the first and of the second that make up a feature: those in contact if they touch
   /// there, those with the nearest points if they are apart. Ascending; one for a vertex, two for an edge.
@@ -113,6 +138,10 @@ class ProximityQueries {
   Closest closest_in(std::uint32_t f, const Query& t) const;
   std::uint32_t nearer_facet(const Closest& spot, const Query& t) const;
   Interval squared_distance(const TranslationFeature& feature, const Point3& t) const;
+  std::array<RationalPoint3, 2> witness_of(const TranslationFeature& feature, const Point3& t,
+                                           Rational& squared_length) const;
+  Rational exact_height(std::uint32_t f, const Point3& t) const;
+  Rational crossing(std::uint32_t f, const Point3& from, const Point3& to) const;
 
   TranslationBody body_;
   TranslationFilters filters_;

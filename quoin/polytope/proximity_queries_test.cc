@@ -129,6 +129,14 @@ void check_distance(const Pair& pair, const Vector3& t, int dimension, Proximity
     const PolytopeDistance other = polytope_distance(polytope(at), pair.second, one_thread);
     EXPECT_EQ(d.relation, other.relation);
     EXPECT_EQ(d.squared_distance, other.squared_distance);
+    const ShortestPenetration shortest = pair.queries.shortest_penetration(t, hint, one_thread);
+    EXPECT_EQ(shortest.squared_depth, other.squared_penetration);
+    EXPECT_EQ(dot(shortest.separation, shortest.separation), other.squared_penetration);
+    if (d.relation == Proximity::overlapping) {
+      EXPECT_EQ(pair.facets.contact_dimension(exact_vector(t) + shortest.separation), 2);
+      EXPECT_TRUE(holds(pair.first, t, shortest.witness[0]));
+      EXPECT_TRUE(holds(pair.second, {}, shortest.witness[1]));
+    }
   }
   if (d.relation == Proximity::overlapping) return;
   const RationalPoint3 between = d.witness[1] - d.witness[0];
@@ -138,6 +146,33 @@ void check_distance(const Pair& pair, const Vector3& t, int dimension, Proximity
   EXPECT_TRUE(holds(pair.second, {}, d.witness[1]));
   expect_supporting(pair.a, t, d.witness[0], between);
   expect_supporting(pair.b, {}, d.witness[1], between * Rational(-1));
+}
+
+/// By all facets at what is told, and beside it.
+void check_passage(const Pair& pair, const Vector3& from, const Vector3& to, ProximityHint& hint,
+                   std::array<int, 3>& seen) {
+  const TranslationPassage p = pair.queries.passage(from, to, hint, one_thread);
+  ++seen.at(static_cast<std::size_t>(p.relation));
+  const auto dimension = [&](const Rational& part) {
+    return pair.facets.contact_dimension(exact_vector(from) + (exact_vector(to) - exact_vector(from)) * part);
+  };
+  if (p.relation == Proximity::apart) {
+    for (int i = 0; i <= 8; ++i) EXPECT_EQ(dimension(Rational(i) / Rational(8)), -1);
+    return;
+  }
+  EXPECT_LE(Rational(0), p.enter);
+  EXPECT_LE(p.enter, p.leave);
+  EXPECT_LE(p.leave, Rational(1));
+  EXPECT_NE(dimension(p.enter), -1);
+  EXPECT_NE(dimension(p.leave), -1);
+  EXPECT_EQ(dimension((p.enter + p.leave) / Rational(2)) == 3, p.relation == Proximity::overlapping);
+  const Rational tiny(0x1p-40);
+  if (p.enter.sign() == Sign::positive) {
+    EXPECT_EQ(dimension(p.enter - tiny), -1);
+  }
+  if (p.leave < Rational(1)) {
+    EXPECT_EQ(dimension(p.leave + tiny), -1);
+  }
 }
 
 void check(const Pair& pair, const Vector3& t, const Vector3& direction, ProximityHint& hint,
@@ -271,6 +306,42 @@ TEST(ProximityQueries, AgreeCloseToTheBoundary) {
     }
   }
   for (std::size_t i : {0U, 1U, 2U, 4U}) EXPECT_GT(seen.at(i), test_cases(10));
+}
+
+TEST(ProximityQueries, PassagesAgreeWithAllFacets) {
+  std::array<int, 3> seen{};
+  for (std::uint64_t seed = 0; seed < test_rounds(60U); ++seed) {
+    Random random(seed);
+    const Points a = on_a_small_grid(random, 4, 6);
+    const Points b = on_a_small_grid(random, 4, 6);
+    if (convex_hull(a, one_thread).dimension < 3 || convex_hull(b, one_thread).dimension < 3) continue;
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Pair pair{a, b};
+    ProximityHint hint;
+    const auto draw = [&] { return below(random, 15) - 7.0; };
+    Vector3 from{draw(), draw(), draw()};
+    for (int round = 0; round < 12; ++round) {
+      const Vector3 to = round % 3 == 0 ? Vector3{from.x, from.y, draw()} : Vector3{draw(), draw(), draw()};
+      check_passage(pair, from, to, hint, seen);
+      if (HasFailure()) return;
+      from = to;
+    }
+  }
+  for (const int count : seen) EXPECT_GT(count, test_cases(10));
+  // Over a cube: down on it, along its top, off; a corner grazed; through.
+  const Pair pair{cube, cube};
+  ProximityHint hint;
+  const auto passage = [&](const Vector3& from, const Vector3& to) {
+    return pair.queries.passage(from, to, hint, one_thread);
+  };
+  EXPECT_EQ(passage({0, 0, 4}, {0, 0, 0}).enter, Rational(3) / Rational(4));
+  EXPECT_EQ(passage({-4, 0, 1}, {4, 0, 1}).relation, Proximity::touching);
+  EXPECT_EQ(passage({-4, 0, 1}, {4, 0, 1}).leave, Rational(5) / Rational(8));
+  EXPECT_EQ(passage({0, 2, 1}, {2, 0, 1}).enter, Rational(1) / Rational(2));
+  EXPECT_EQ(passage({0, 2, 0}, {2, 0, 0}).relation, Proximity::touching);
+  EXPECT_EQ(passage({-2, 0, 0}, {1, 0, 0}).relation, Proximity::overlapping);
+  EXPECT_EQ(passage({1, 0, 0}, {1, 0, 0}).relation, Proximity::touching);
+  EXPECT_EQ(passage({0.5, 0, 0}, {0.5, 0, 0}).leave, Rational(1));
 }
 
 TEST(TranslationFilters, AgreeWithExactSigns) {
