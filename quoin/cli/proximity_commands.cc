@@ -1,16 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
+#include <optional>
 #include <span>
 
 #include "quoin/base/error.h"
 #include "quoin/cli/commands.h"
 #include "quoin/cli/coordinates.h"
+#include "quoin/cli/failure.h"
+#include "quoin/cli/inputs.h"
 #include "quoin/cli/planar.h"
 #include "quoin/cli/polytope_inputs.h"
-#include "quoin/cli/reporting.h"
+#include "quoin/cli/proximity_inputs.h"
+#include "quoin/cli/proximity_path.h"
+#include "quoin/cli/proximity_report.h"
 #include "quoin/cli/streams.h"
 #include "quoin/cli/summary.h"
 #include "quoin/polytope/proximity.h"
+#include "quoin/polytope/proximity_queries.h"
+#include "quoin/solid/query/distance.h"
 
 namespace quoin::cli {
 
@@ -18,37 +25,41 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* name_of(Proximity relation) {
-  switch (relation) {
-    case Proximity::touching:
-      return "touching";
-    case Proximity::overlapping:
-      return "overlapping";
-    case Proximity::apart:
-      break;
-  }
-  return "apart";
+RationalPoint3 vector_of(const std::vector<Rational>& numbers) {
+  return {numbers[0], numbers[1], numbers[2]};
 }
 
-Json rounded(const RationalPoint3& p) {
-  return {p.x.to_double(), p.y.to_double(), p.z.to_double()};
-}
-Json exact(const RationalPoint3& p) {
-  return {p.x.to_string(), p.y.to_string(), p.z.to_string()};
+void require_convex(const ProximityOperand& a, const ProximityOperand& b) {
+  for (const ProximityOperand* operand : {&a, &b}) {
+    if (operand->is_convex()) continue;
+    throw InputError(shown(operand->name) + ": not convex, with corners that are doubles, as --direction needs");
+  }
 }
 
-/// @throws InputError where a sum is no double
-void translate(std::vector<Point3>& points, const std::string& text) {
-  const std::vector<Rational> by = parse_argument(text, 3, "--translate");
-  for (Point3& p : points) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const Rational moved = Rational(p[axis]) + by[axis];
-      p[axis] = moved.to_double();
-      if (std::isfinite(p[axis]) && Rational(p[axis]) == moved) continue;
-      throw InputError("--translate " + text + " moves a vertex to the coordinate " + moved.to_string() +
-                       ", which is no double");
-    }
+Json convex_distance(const Polytope& a, const Polytope& b, const Vector3& translation,
+                     const std::optional<RationalPoint3>& direction, const Context& context) {
+  const ProximityQueries queries(a, b, context);
+  ProximityHint hint;
+  const TranslationDistance d = queries.distance(translation, hint);
+  Json report = describe_distance(d.relation, d.squared_distance, d.witness);
+  if (d.relation == Proximity::touching) report.update(describe_contact(queries, d.feature));
+  if (d.relation == Proximity::overlapping) {
+    const ShortestPenetration shortest = queries.shortest_penetration(translation, hint, context);
+    report["witness"] = {as_json(shortest.witness[0]), as_json(shortest.witness[1])};
+    report["exact_witness"] = {as_exact_json(shortest.witness[0]), as_exact_json(shortest.witness[1])};
+    report["squared_penetration"] = shortest.squared_depth.to_double();
+    report["exact_squared_penetration"] = shortest.squared_depth.to_string();
+    report["separation"] = as_json(shortest.separation);
+    report["exact_separation"] = as_exact_json(shortest.separation);
   }
+  if (direction) {
+    const std::optional<Vector3> along = as_doubles(*direction);
+    if (!along) throw InputError("--direction is no vector of doubles");
+    const Rational depth = queries.penetration(translation, *along, hint).depth;
+    report["directional_penetration"] = depth.to_double();
+    report["exact_directional_penetration"] = depth.to_string();
+  }
+  return report;
 }
 
 int print(Json report, const std::vector<std::string>& warnings, const Options& options) {
@@ -60,26 +71,27 @@ int print(Json report, const std::vector<std::string>& warnings, const Options& 
 }  // namespace
 
 int run_distance(const Options& options, const Context& context) {
-  std::vector<std::string> warnings;
-  std::vector<Point3> points = read_polytope(options.inputs[0], options, warnings, context);
-  if (!options.translation.empty()) translate(points, options.translation);
-  const Polytope a = polytope_of(points, options.inputs[0], context);
-  const Polytope b =
-      polytope_of(read_polytope(options.inputs[1], options, warnings, context), options.inputs[1], context);
-  const PolytopeDistance d = polytope_distance(a, b, context);
-  Json report{{"relation", name_of(d.relation)},
-              {"squared_distance", d.squared_distance.to_double()},
-              {"exact_squared_distance", d.squared_distance.to_string()},
-              {"distance", std::sqrt(d.squared_distance.to_double())},
-              {"witness", {rounded(d.witness[0]), rounded(d.witness[1])}},
-              {"exact_witness", {exact(d.witness[0]), exact(d.witness[1])}}};
-  if (d.relation == Proximity::overlapping) {
-    report["squared_penetration"] = d.squared_penetration.to_double();
-    report["exact_squared_penetration"] = d.squared_penetration.to_string();
-    report["separation"] = rounded(d.separation);
-    report["exact_separation"] = exact(d.separation);
+  RationalPoint3 at{0, 0, 0};
+  if (!options.translation.empty()) at = vector_of(parse_argument(options.translation, 3, "--translate"));
+  std::optional<RationalPoint3> direction;
+  if (!options.direction.empty()) direction = vector_of(parse_argument(options.direction, 3, "--direction", 0));
+  if (options.path.empty() && !options.outputs.empty()) throw UsageError("distance draws a trail only of a --path");
+  if (!options.path.empty() && (direction || !options.translation.empty())) {
+    throw UsageError("--path names the places itself: it goes with neither --translate nor --direction");
   }
-  return print(std::move(report), warnings, options);
+  std::vector<std::string> warnings;
+  const ProximityOperand a = read_proximity_operand(options.inputs[0], options, warnings, context);
+  const ProximityOperand b = read_proximity_operand(options.inputs[1], options, warnings, context);
+  if (!options.path.empty()) return run_path(a, b, read_path(options), warnings, options, context);
+  if (direction) require_convex(a, b);
+  const std::optional<Vector3> translation = as_doubles(at);
+  if (a.is_convex() && b.is_convex() && translation) {
+    return print(convex_distance((*a.pieces)[0], (*b.pieces)[0], *translation, direction, context), warnings, options);
+  }
+  if (direction)
+    throw InputError("--translate " + options.translation + " is no vector of doubles, as --direction needs");
+  const SolidDistance d = solid_distance(moved_solid(a, at, context), moved_solid(b, {0, 0, 0}, context), context);
+  return print(describe_distance(proximity_of(d.relation), d.squared_distance, d.witness), warnings, options);
 }
 
 int run_width(const Options& options, const Context& context) {
@@ -96,8 +108,8 @@ int run_width(const Options& options, const Context& context) {
   return print({{"width", std::sqrt(w.squared_width.to_double())},
                 {"squared_width", w.squared_width.to_double()},
                 {"exact_squared_width", w.squared_width.to_string()},
-                {"direction", rounded(w.direction)},
-                {"exact_direction", exact(w.direction)},
+                {"direction", as_json(w.direction)},
+                {"exact_direction", as_exact_json(w.direction)},
                 {"witness", {points_of(w.faces[0]), points_of(w.faces[1])}},
                 {"diameter", std::sqrt(diameter.squared_diameter.to_double())},
                 {"exact_squared_diameter", diameter.squared_diameter.to_string()},
