@@ -32,7 +32,7 @@ RationalPoint3 vector_of(const std::vector<Rational>& numbers) {
 void require_convex(const ProximityOperand& a, const ProximityOperand& b) {
   for (const ProximityOperand* operand : {&a, &b}) {
     if (operand->is_convex()) continue;
-    throw InputError(shown(operand->name) + ": not convex, with corners that are doubles, as --direction needs");
+    throw InputError(shown(operand->name) + ": --direction needs convex solids with corners that are doubles");
   }
 }
 

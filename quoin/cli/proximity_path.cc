@@ -64,14 +64,22 @@ void add_step(Report& report, const RationalPoint3& at, Proximity relation, cons
   report.trail.nearest = {seen_from_above(witness[0]), seen_from_above(witness[1])};
 }
 
+/// A contact that goes on from the last leg and ends where this one begins was told there.
 void add_event(Report& report, std::size_t leg, const PiecewisePassage& event, const RationalPoint3& from,
                const RationalPoint3& to) {
   const TranslationPassage& passage = event.passage;
+  const auto goes_on = [&](const Json& last) {
+    return last["leg"].get<std::size_t>() + 1 == leg && last["exact_leave"] == "1" &&
+           last["pieces"] == Json{event.first, event.second};
+  };
+  const bool is_continued = passage.enter.sign() == Sign::zero && std::ranges::any_of(report.events, goes_on);
+  if (is_continued && passage.leave.sign() == Sign::zero) return;
   const RationalPoint3 enter = from + (to - from) * passage.enter;
   const RationalPoint3 leave = from + (to - from) * passage.leave;
   report.events.push_back({{"leg", leg},
                            {"pieces", {event.first, event.second}},
                            {"relation", name_of(passage.relation)},
+                           {"continues", is_continued},
                            {"enter", passage.enter.to_double()},
                            {"exact_enter", passage.enter.to_string()},
                            {"leave", passage.leave.to_double()},
@@ -79,8 +87,8 @@ void add_event(Report& report, std::size_t leg, const PiecewisePassage& event, c
                            {"from", as_json(enter)},
                            {"to", as_json(leave)}});
   report.trail.contacts.push_back({seen_from_above(enter), seen_from_above(leave), passage.relation});
-  report.text += "   on the way: " + std::string(name_of(passage.relation)) + " piece " + std::to_string(event.second) +
-                 " from " + text_of(enter) + " to " + text_of(leave) + "\n";
+  report.text += std::string(is_continued ? "   still " : "   then ") + name_of(passage.relation) + " piece " +
+                 std::to_string(event.second) + " from " + text_of(enter) + " to " + text_of(leave) + "\n";
 }
 
 /// All places are of doubles, and all pieces convex.
