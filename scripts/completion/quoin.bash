@@ -32,14 +32,14 @@ hull minkowski gaussian-map distance width arrange overlay locate polygon envelo
       mapfile -t COMPREPLY < <(compgen -W "even-odd nonzero positive" -- "$word")
       return
       ;;
-    --translate | --threads | --timeout | --seed | --weld | --point | --line | --plane | --flatten | --distance | --precision) return ;;
+    --translate | --direction | --threads | --timeout | --seed | --weld | --point | --line | --plane | --flatten | --distance | --precision) return ;;
   esac
   if [[ $word == -* ]]; then
     local options="$common"
     case "${COMP_WORDS[1]}" in
       union | intersection | difference | xor | csg | repair | convert | view | hull | minkowski) options+=" $makes" ;;
       gaussian-map) options+=" $draws" ;;
-      distance) options+=" --translate" ;;
+      distance) options+=" --translate --direction --path -o --output" ;;
       classify) options+=" --point --points --line" ;;
       section) options+=" --plane -o --output" ;;
       arrange) options+=" $draws --sphere" ;;
