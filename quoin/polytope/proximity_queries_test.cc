@@ -265,7 +265,7 @@ TEST(ProximityQueries, AgreeWithAllFacetsOnSmallGrids) {
       if (HasFailure()) return;
     }
   }
-  for (const int count : seen) EXPECT_GT(count, test_cases(10));
+  for (const int count : seen) EXPECT_GE(count, test_cases(10));
 }
 
 /// At vertices, on edges and in facets of the body, and the neighbours in doubles of these.
@@ -305,7 +305,7 @@ TEST(ProximityQueries, AgreeCloseToTheBoundary) {
       if (HasFailure()) return;
     }
   }
-  for (std::size_t i : {0U, 1U, 2U, 4U}) EXPECT_GT(seen.at(i), test_cases(10));
+  for (std::size_t i : {0U, 1U, 2U, 4U}) EXPECT_GE(seen.at(i), test_cases(10));
 }
 
 TEST(ProximityQueries, PassagesAgreeWithAllFacets) {
@@ -327,7 +327,7 @@ TEST(ProximityQueries, PassagesAgreeWithAllFacets) {
       from = to;
     }
   }
-  for (const int count : seen) EXPECT_GT(count, test_cases(10));
+  for (const int count : seen) EXPECT_GE(count, test_cases(10));
   // Over a cube: down on it, along its top, off; a corner grazed; through.
   const Pair pair{cube, cube};
   ProximityHint hint;
@@ -387,8 +387,8 @@ TEST(TranslationFilters, AgreeWithExactSigns) {
     }
     if (HasFailure()) return;
   }
-  EXPECT_GT(decided[1], test_cases(2000U));
-  EXPECT_GT(decided[0], test_cases(100U));
+  EXPECT_GE(decided[1], test_cases(2000U));
+  EXPECT_GE(decided[0], test_cases(100U));
 }
 
 TEST(ProximityQueries, OfAnySize) {

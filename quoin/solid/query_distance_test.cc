@@ -176,7 +176,7 @@ TEST(SolidDistance, AgreesWithAllPairsOfFeatures) {
     ++seen.at(static_cast<std::size_t>(check(a, b).relation));
     if (HasFailure()) return;
   }
-  for (const int count : seen) EXPECT_GT(count, test_cases(2));
+  for (const int count : seen) EXPECT_GE(count, test_cases(2));
 }
 
 /// Turned by angles of no rational sine, so that all distances are of constructed points without a short form.
