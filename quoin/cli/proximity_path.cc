@@ -94,15 +94,15 @@ void add_event(Report& report, std::size_t leg, const PiecewisePassage& event, c
 /// All places are of doubles, and all pieces convex.
 void follow(Report& report, const ProximityOperand& moving, const ProximityOperand& fixed,
             const std::vector<RationalPoint3>& path, const Context& context) {
-  PiecewiseProximity proximity(*moving.pieces, *fixed.pieces, context);
+  PiecewiseProximity proximity(*moving.pieces, *fixed.pieces);
   for (std::size_t i = 0; i < path.size(); ++i) {
     context.poll();
     const Vector3 at = *as_doubles(path[i]);
-    const PiecewiseDistance found = proximity.distance(at);
+    const PiecewiseDistance found = proximity.distance(at, context);
     Json details{{"pieces", {found.first, found.second}}};
     const TranslationDistance& d = found.distance;
     if (d.relation == Proximity::touching) {
-      details.update(describe_contact(proximity.queries(found.first, found.second), d.feature));
+      details.update(describe_contact(proximity.queries(found.first, found.second, context), d.feature));
     }
     add_step(report, path[i], d.relation, d.squared_distance, d.witness, std::move(details));
     if (i + 1 == path.size()) return;

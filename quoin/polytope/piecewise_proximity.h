@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
+#include <memory>
 #include <vector>
 
 #include "quoin/base/context.h"
@@ -24,31 +24,43 @@ struct PiecewisePassage {
   std::size_t second = 0;
 };
 
-/// Queries of a moving set of convex pieces, as a robot, and another set, as obstacles: those of all pairs, each with
-/// its hint from the last query. Exact as these. Not safe to share between threads.
+/// Queries of a moving set of convex pieces, as a robot, and another set, as obstacles: those of pairs, each with its
+/// hint from the last query. Exact as these. A pair is made ready when it is asked for the first time; pairs whose
+/// boxes are further apart than others are near are not asked. Not safe to share between threads.
 class PiecewiseProximity {
  public:
-  /// Time and memory of all pairs' sums. @throws InputError if a set is empty or both pieces of a pair are flat,
-  /// Cancelled
-  PiecewiseProximity(std::span<const Polytope> first, std::span<const Polytope> second, const Context& context);
+  /// @throws InputError if a set is empty or has a flat piece while the other one has one too
+  PiecewiseProximity(std::vector<Polytope> first, std::vector<Polytope> second);
 
   /// The least distance of a pair, compared exactly where enclosures overlap; of equal ones the first.
-  PiecewiseDistance distance(const Vector3& translation);
+  /// @throws InputError if a number is not finite, Cancelled
+  PiecewiseDistance distance(const Vector3& translation, const Context& context);
 
   /// All pairs that have common points on a straight way, by where these begin.
   std::vector<PiecewisePassage> passages(const Vector3& from, const Vector3& to, const Context& context);
 
-  /// Of the pair.
-  const ProximityQueries& queries(std::size_t first, std::size_t second) const {
-    return pairs_[first * second_count_ + second].queries;
+  /// Of a pair.
+  const ProximityQueries& queries(std::size_t first, std::size_t second, const Context& context) {
+    return *pair_of(first * second_.size() + second, context).queries;
   }
 
  private:
+  struct Box {
+    Point3 low;
+    Point3 high;
+  };
   struct Pair {
-    ProximityQueries queries;
+    std::unique_ptr<ProximityQueries> queries;
     ProximityHint hint{};
   };
-  std::size_t second_count_ = 0;
+  static Box box_of(const Polytope& p);
+  double squared_gap(std::size_t pair, const Vector3& from, const Vector3& to) const;
+  Pair& pair_of(std::size_t index, const Context& context);
+
+  std::vector<Polytope> first_;
+  std::vector<Polytope> second_;
+  std::vector<Box> first_boxes_;
+  std::vector<Box> second_boxes_;
   std::vector<Pair> pairs_;
 };
 

@@ -78,11 +78,11 @@ TEST(PiecewiseProximity, AgreesWithSolids) {
     const auto first = convex_pieces(a.boundary(), one_thread);
     const auto second = convex_pieces(b.boundary(), one_thread);
     ASSERT_TRUE(first && second);
-    PiecewiseProximity proximity(*first, *second, one_thread);
+    PiecewiseProximity proximity(*first, *second);
     Vector3 last{-9, 0, 0};
     for (int round = 0; round < 5; ++round) {
       const Vector3 t{0.5 * below(random, 16), 0.5 * (below(random, 9) - 4), 0.5 * (below(random, 5) - 2)};
-      const PiecewiseDistance d = proximity.distance(t);
+      const PiecewiseDistance d = proximity.distance(t, one_thread);
       const SolidDistance expected = solid_distance(moved(a, exact_point({t.x, t.y, t.z})), b, one_thread);
       EXPECT_EQ(interference_of(d.distance.relation), expected.relation);
       EXPECT_EQ(d.distance.squared_distance, expected.squared_distance);
@@ -110,9 +110,9 @@ TEST(PiecewiseProximity, NamesThePieces) {
   const auto obstacles =
       convex_pieces(joined(box({20, -9, -9}, {21, 9, 9}), box({-31, -9, -9}, {-30, 9, 9})).boundary(), one_thread);
   ASSERT_TRUE(obstacles);
-  PiecewiseProximity proximity(robot, *obstacles, one_thread);
-  const PiecewiseDistance near = proximity.distance({4, 0, 0});
-  const PiecewiseDistance far = proximity.distance({-20, 0, 0});
+  PiecewiseProximity proximity(robot, *obstacles);
+  const PiecewiseDistance near = proximity.distance({4, 0, 0}, one_thread);
+  const PiecewiseDistance far = proximity.distance({-20, 0, 0}, one_thread);
   EXPECT_EQ(near.distance.squared_distance, Rational(64));
   EXPECT_EQ(far.distance.squared_distance, Rational(4));
   EXPECT_NE(near.second, far.second);
@@ -121,7 +121,7 @@ TEST(PiecewiseProximity, NamesThePieces) {
   EXPECT_EQ(passages[0].second, near.second);
   EXPECT_EQ(passages[1].second, far.second);
   EXPECT_EQ(passages[1].passage.enter, Rational(42) / Rational(50));
-  EXPECT_THROW(PiecewiseProximity(robot, {}, one_thread), InputError);
+  EXPECT_THROW(PiecewiseProximity(robot, {}), InputError);
 }
 
 }  // namespace
