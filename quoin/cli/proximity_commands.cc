@@ -90,7 +90,7 @@ int run_distance(const Options& options, const Context& context) {
   }
   if (direction)
     throw InputError("--translate " + options.translation + " is no vector of doubles, as --direction needs");
-  const SolidDistance d = solid_distance(moved_solid(a, at, context), moved_solid(b, {0, 0, 0}, context), context);
+  const SolidDistance d = SolidProximity(solid_of(a, context), solid_of(b, context), context).distance(at, context);
   return print(describe_distance(proximity_of(d.relation), d.squared_distance, d.witness), warnings, options);
 }
 

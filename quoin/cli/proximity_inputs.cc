@@ -11,7 +11,6 @@
 #include "quoin/polytope/convex_boundary.h"
 #include "quoin/polytope/convex_pieces.h"
 #include "quoin/polytope/hull.h"
-#include "quoin/solid/moved_boundary.h"
 
 namespace quoin::cli {
 
@@ -33,7 +32,7 @@ Solid solid_of(const Input& input, const std::string& name, std::vector<std::str
 
 ProximityOperand read_proximity_operand(const std::string& name, const Options& options,
                                         std::vector<std::string>& warnings, const Context& context) {
-  ProximityOperand result{name, nullptr, std::nullopt};
+  ProximityOperand result{name, std::nullopt, nullptr, std::nullopt};
   const Input input = read_input(name, options, warnings, context);
   const Mesh* mesh = std::get_if<Mesh>(&input);
   if (mesh != nullptr && mesh->face_count() == 0) {
@@ -46,18 +45,19 @@ ProximityOperand read_proximity_operand(const std::string& name, const Options& 
   }
   const Solid solid = solid_of(input, name, warnings, context);
   if (solid.is_empty()) throw InputError(shown(name) + ": an empty solid has no distance from another");
+  result.solid = solid;
   result.boundary = solid.shared_boundary();
   result.pieces = convex_pieces(*result.boundary, context);
   return result;
 }
 
-Solid moved_solid(const ProximityOperand& operand, const RationalPoint3& by, const Context& context) {
+Solid solid_of(const ProximityOperand& operand, const Context& context) {
+  if (operand.solid) return *operand.solid;
   if (!operand.boundary) {
     throw InputError(shown(operand.name) + ": the points are in a plane, and bound no solid: their distance is only " +
                      "known from a convex solid, moved by doubles");
   }
-  std::vector<std::string> ignored;  // it was a boundary before
-  return solid_of(moved_boundary(*operand.boundary, by), operand.name, ignored, context);
+  return Solid::from_leaf(quoin::make_leaf(*operand.boundary, title_of(operand.name), {}, context).leaf, context);
 }
 
 std::optional<Vector3> as_doubles(const RationalPoint3& v) {

@@ -17,6 +17,7 @@ namespace quoin::cli {
 /// One of two solids whose distance is asked for.
 struct ProximityOperand {
   std::string name;
+  std::optional<Solid> solid;                   ///< nothing of points without faces
   std::shared_ptr<const Brep> boundary;         ///< null of points in a plane
   std::optional<std::vector<Polytope>> pieces;  ///< where all are convex, with vertices that are doubles
   bool is_convex() const { return pieces && pieces->size() == 1; }
@@ -26,8 +27,8 @@ struct ProximityOperand {
 ProximityOperand read_proximity_operand(const std::string& name, const Options& options,
                                         std::vector<std::string>& warnings, const Context& context);
 
-/// As a solid, moved exactly. @throws InputError of points in a plane
-Solid moved_solid(const ProximityOperand& operand, const RationalPoint3& by, const Context& context);
+/// As a solid. @throws InputError of points in a plane
+Solid solid_of(const ProximityOperand& operand, const Context& context);
 
 /// A rational vector, if it is one of doubles.
 std::optional<Vector3> as_doubles(const RationalPoint3& v);

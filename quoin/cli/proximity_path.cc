@@ -114,10 +114,10 @@ void follow(Report& report, const ProximityOperand& moving, const ProximityOpera
 
 void follow_any(Report& report, const ProximityOperand& moving, const ProximityOperand& fixed,
                 const std::vector<RationalPoint3>& path, const Context& context) {
-  const Solid obstacle = moved_solid(fixed, {0, 0, 0}, context);
+  const SolidProximity proximity(solid_of(moving, context), solid_of(fixed, context), context);
   for (const RationalPoint3& at : path) {
     context.progress("path", static_cast<double>(report.steps.size()) / static_cast<double>(path.size()));
-    const SolidDistance d = solid_distance(moved_solid(moving, at, context), obstacle, context);
+    const SolidDistance d = proximity.distance(at, context);
     add_step(report, at, proximity_of(d.relation), d.squared_distance, d.witness, Json::object());
   }
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "quoin/solid/box_tree.h"
@@ -8,15 +9,18 @@ namespace quoin {
 
 namespace {
 
-/// At most the square of the distance of two boxes: differences, squares and sums of floats in doubles are each rounded
-/// once, and none is below the range of doubles.
-double squared_gap(const FloatBox& a, const FloatBox& b) {
+/// At most the square of the distance of two boxes, the first moved: the vector and two sums are off by 2^-52 of
+/// themselves, the squares of floats' differences are not below the range of doubles.
+double squared_gap(const FloatBox& a, const Vector3& by, const FloatBox& b) {
   double sum = 0;
   for (std::size_t k = 0; k < 3; ++k) {
-    const double above = static_cast<double>(b.lo[k]) - static_cast<double>(a.hi[k]);
-    const double below = static_cast<double>(a.lo[k]) - static_cast<double>(b.hi[k]);
-    const double gap = std::max({0.0, above, below});
-    sum += gap * gap;
+    const double low = static_cast<double>(a.lo[k]) + by[k];
+    const double high = static_cast<double>(a.hi[k]) + by[k];
+    const double above = static_cast<double>(b.lo[k]) - high;
+    const double below = low - static_cast<double>(b.hi[k]);
+    const double error = by[k] == 0 ? 0 : 0x1p-50 * (std::fabs(by[k]) + std::fabs(low) + std::fabs(high));
+    const double gap = std::max(above, below) * (1 - 0x1p-50) - error;
+    if (gap > 0) sum += gap * gap;  // not if it is not a number
   }
   return sum * (1 - 0x1p-50);
 }
@@ -28,8 +32,8 @@ class BoxTreeNearest {
  public:
   using Visit = std::function<double(const TilePair&)>;
 
-  BoxTreeNearest(const BoxTree& a, const BoxTree& b, const Visit& visit, const Context& context)
-      : a_(a), b_(b), visit_(visit), context_(context) {}
+  BoxTreeNearest(const BoxTree& a, const BoxTree& b, const Vector3& by, const Visit& visit, const Context& context)
+      : a_(a), b_(b), by_(by), visit_(visit), context_(context) {}
 
   void run() {
     if (a_.nodes_.empty() || b_.nodes_.empty()) return;
@@ -59,7 +63,7 @@ class BoxTreeNearest {
   };
 
   NodePair pair_of(std::uint32_t i, std::uint32_t j) const {
-    return {i, j, squared_gap(a_.nodes_[i].box, b_.nodes_[j].box)};
+    return {i, j, squared_gap(a_.nodes_[i].box, by_, b_.nodes_[j].box)};
   }
   void push(const NodePair& one, const NodePair& other) {
     const bool is_first_nearer = one.gap <= other.gap;
@@ -73,24 +77,25 @@ class BoxTreeNearest {
   void visit_leaves(const BoxTree::Node& x, const BoxTree::Node& y) {
     a_.for_each_tile(x.second_or_block, x.second_or_block + x.block_count, [&](std::uint32_t i, std::uint32_t slot) {
       const FloatBox box = a_.blocks_[slot / 4].at(slot % 4);
-      if (squared_gap(box, y.box) > bound_) return;
+      if (squared_gap(box, by_, y.box) > bound_) return;
       b_.for_each_tile(y.second_or_block, y.second_or_block + y.block_count, [&](std::uint32_t j, std::uint32_t other) {
-        if (squared_gap(box, b_.blocks_[other / 4].at(other % 4)) <= bound_) bound_ = visit_({i, j});
+        if (squared_gap(box, by_, b_.blocks_[other / 4].at(other % 4)) <= bound_) bound_ = visit_({i, j});
       });
     });
   }
 
   const BoxTree& a_;
   const BoxTree& b_;
+  const Vector3 by_;
   const Visit& visit_;
   const Context& context_;
   double bound_ = std::numeric_limits<double>::infinity();
   std::vector<NodePair> stack_;
 };
 
-void BoxTree::nearest_pairs(const BoxTree& a, const BoxTree& b, const std::function<double(const TilePair&)>& visit,
-                            const Context& context) {
-  BoxTreeNearest(a, b, visit, context).run();
+void BoxTree::nearest_pairs(const BoxTree& a, const BoxTree& b, const Vector3& by,
+                            const std::function<double(const TilePair&)>& visit, const Context& context) {
+  BoxTreeNearest(a, b, by, visit, context).run();
 }
 
 }  // namespace quoin

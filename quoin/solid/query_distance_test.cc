@@ -14,6 +14,7 @@
 
 #include "quoin/base/error.h"
 #include "quoin/base/test_rounds.h"
+#include "quoin/solid/moved_boundary.h"
 #include "quoin/solid/query/boundary_distance.h"
 #include "quoin/solid/query/face_place.h"
 #include "quoin/solid/test_solids.h"
@@ -142,7 +143,8 @@ TEST(SolidDistance, OfSolidsWithoutBoundary) {
   EXPECT_THROW(solid_distance(unit, Solid(), one_thread), InputError);
   EXPECT_THROW(solid_distance(Solid(), unit, one_thread), InputError);
   EXPECT_EQ(solid_distance(unit, ~Solid(), one_thread).relation, Interference::overlapping);
-  EXPECT_THROW(boundary_distance(Brep{}, unit.boundary(), one_thread), InputError);
+  const Brep none;
+  EXPECT_THROW(BoundaryProximity(none, unit.boundary(), one_thread), InputError);
 }
 
 Solid random_box(Random& random, int size) {
@@ -215,6 +217,53 @@ TEST(SolidDistance, OfAnySize) {
     EXPECT_EQ(check(scaled(0), scaled(3)).squared_distance, Rational(4) * Rational(size) * Rational(size));
     EXPECT_EQ(check(scaled(0), scaled(1)).relation, Interference::touching);
   }
+}
+
+Solid moved(const Solid& s, const RationalPoint3& by) {
+  return Solid::from_leaf(make_leaf(moved_boundary(s.boundary(), by), "moved", {}, one_thread).leaf, one_thread);
+}
+
+/// By vectors of doubles and of fractions, also to where little of the coordinates is left.
+TEST(SolidProximity, AgreesWithSolidsThatWereMoved) {
+  std::array<int, 3> seen{};
+  for (std::uint64_t seed = 0; seed < test_rounds(12U); ++seed) {
+    Random random(seed);
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Rational away(seed % 3 == 0 ? 1e6 : 0);
+    const Solid a = moved(random_solid(random, {-1, -1, -1}), {away, 0, 0});
+    const Solid b = random_solid(random, {-1, -1, -1});
+    if (a.is_empty() || b.is_empty()) continue;
+    const SolidProximity proximity(a, b, one_thread);
+    for (int round = 0; round < 5; ++round) {
+      const auto draw = [&](int end) { return Rational(static_cast<int>(random() % static_cast<unsigned>(end))); };
+      const Rational part = round % 2 == 0 ? Rational(1) : Rational(1) / Rational(3);
+      const RationalPoint3 by{(draw(16) - Rational(7)) * part - away, draw(5) * part - Rational(2), draw(3) * part};
+      const SolidDistance d = proximity.distance(by, one_thread);
+      const SolidDistance expected = solid_distance(moved(a, by), b, one_thread);
+      ++seen.at(static_cast<std::size_t>(d.relation));
+      EXPECT_EQ(d.relation, expected.relation);
+      EXPECT_EQ(d.squared_distance, expected.squared_distance);
+      if (d.relation == Interference::overlapping) continue;
+      EXPECT_TRUE(is_on_boundary(place_of(a, d.witness[0] - by)));
+      EXPECT_TRUE(is_on_boundary(place_of(b, d.witness[1])));
+    }
+    if (HasFailure()) return;
+  }
+  for (const int count : seen) EXPECT_GE(count, test_cases(3));
+  // In the cavity of one that moves, and one that moves in a cavity.
+  const Solid hollow = box({0, 0, 0}, {10, 10, 10}) - box({1, 1, 1}, {9, 9, 9});
+  const Solid inner = box({0, 0, 0}, {1, 1, 1});
+  EXPECT_EQ(SolidProximity(hollow, inner, one_thread).distance({-4, -4, -4}, one_thread).squared_distance, Rational(9));
+  EXPECT_EQ(SolidProximity(inner, hollow, one_thread).distance({4, 4, 5}, one_thread).squared_distance, Rational(9));
+  EXPECT_EQ(SolidProximity(inner, hollow, one_thread).distance({8, 4, 5}, one_thread).relation, Interference::touching);
+  EXPECT_EQ(SolidProximity(~hollow, inner, one_thread).distance({-4, -4, -4}, one_thread).relation,
+            Interference::overlapping);
+  EXPECT_EQ(SolidProximity(~hollow, inner, one_thread).distance({1, 0, 0}, one_thread).relation,
+            Interference::overlapping);
+  const Rational far(1e300);
+  EXPECT_EQ(
+      SolidProximity(inner, inner, one_thread).distance({far * far + Rational(1), 0, 0}, one_thread).squared_distance,
+      far * far * far * far);
 }
 
 TEST(SolidDistance, OfFinelyDividedSolids) {

@@ -46,7 +46,7 @@ Rational exact_square(const Triangle<double>& a, const Triangle<double>& b) {
 }
 
 void expect_bounds(const Triangle<double>& a, const Triangle<double>& b, int& decided) {
-  const SquaredBounds bounds = closest::squared_bounds(a, b, true);
+  const SquaredBounds bounds = closest::squared_bounds(a, b, 0);
   const Rational square = exact_square(a, b);
   EXPECT_LE(Rational(bounds.lower), square);
   if (std::isfinite(bounds.upper)) {
@@ -113,7 +113,7 @@ TEST(TriangleDistance, BoundsHoldForRoundedCorners) {
     }
     TrianglePair<Rational> pair(a, b);
     const Rational square = pair.common_point() ? Rational(0) : pair.nearest().squared_length;
-    const SquaredBounds bounds = closest::squared_bounds(rounded_a, rounded_b, false);
+    const SquaredBounds bounds = closest::squared_bounds(rounded_a, rounded_b, 0x1p-53 * (away + 2));
     EXPECT_LE(Rational(bounds.lower), square);
     EXPECT_GE(Rational(bounds.upper), square);
     EXPECT_GT(bounds.lower, 0);
@@ -150,7 +150,7 @@ TEST(BoxTreeNearest, FindsTheNearestBoxesAndLeavesMostOut) {
       EXPECT_TRUE(all.insert({pair.a, pair.b}).second);
       return std::numeric_limits<double>::infinity();
     };
-    BoxTree::nearest_pairs(tree_a, tree_b, no_bound, context);
+    BoxTree::nearest_pairs(tree_a, tree_b, {}, no_bound, context);
     EXPECT_EQ(all.size(), a.size() * b.size());
     double least = std::numeric_limits<double>::infinity();
     for (const FloatBox& x : a) {
@@ -163,7 +163,7 @@ TEST(BoxTreeNearest, FindsTheNearestBoxesAndLeavesMostOut) {
       found = std::min(found, gap(a[pair.a], b[pair.b]));
       return found;
     };
-    BoxTree::nearest_pairs(tree_a, tree_b, nearer, context);
+    BoxTree::nearest_pairs(tree_a, tree_b, {}, nearer, context);
     EXPECT_EQ(found, least);
     EXPECT_LT(visits, all.size() / 4);
     visits = 0;
@@ -171,11 +171,11 @@ TEST(BoxTreeNearest, FindsTheNearestBoxesAndLeavesMostOut) {
       ++visits;
       return -1.0;
     };
-    BoxTree::nearest_pairs(tree_a, tree_b, first_only, context);
+    BoxTree::nearest_pairs(tree_a, tree_b, {}, first_only, context);
     EXPECT_EQ(visits, 1U);
   }
   BoxTree::nearest_pairs(
-      BoxTree(), BoxTree(), [](const TilePair&) -> double { throw InternalError("there are no pairs"); }, context);
+      BoxTree(), BoxTree(), {}, [](const TilePair&) -> double { throw InternalError("there are no pairs"); }, context);
 }
 
 }  // namespace

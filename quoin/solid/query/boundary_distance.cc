@@ -24,8 +24,10 @@ using closest::Triangle;
 using closest::TrianglePair;
 using closest::Vector;
 
+}  // namespace
+
 /// A boundary as triangles that cover its faces exactly, in a tree.
-class Covered {
+class BoundaryProximity::Covered {
  public:
   Covered(const Brep& boundary, const Context& context) : boundary_(boundary) {
     const std::size_t count = boundary.points.point_count();
@@ -93,13 +95,23 @@ class Covered {
   bool are_exact_ = true;
 };
 
-class Search {
+class BoundaryProximity::Search {
  public:
-  Search(const Covered& a, const Covered& b, const Context& context) : a_(a), b_(b), context_(context) {}
+  Search(const Covered& a, const Covered& b, const RationalPoint3& by, const Context& context)
+      : a_(a), b_(b), by_{by.x, by.y, by.z}, context_(context) {
+    const Vector3 rounded{by.x.to_double(), by.y.to_double(), by.z.to_double()};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      rounded_by_[axis] = rounded[axis];
+      enclosed_by_[axis] = Interval::around(by_[axis]);
+      is_moved_ = is_moved_ || by_[axis].sign() != Sign::zero;
+      length_ = std::max(length_, std::fabs(rounded[axis]));
+    }
+  }
 
   BoundaryDistance run() {
     BoxTree::nearest_pairs(
-        a_.tree(), b_.tree(), [&](const TilePair& pair) { return visit(pair); }, context_);
+        a_.tree(), b_.tree(), {rounded_by_[0], rounded_by_[1], rounded_by_[2]},
+        [&](const TilePair& pair) { return visit(pair); }, context_);
     std::sort(left_.begin(), left_.end());
     for (const auto& [lower, pair] : left_) {
       if (best_ && Rational(lower) >= best_->squared_length) break;
@@ -115,8 +127,17 @@ class Search {
  private:
   /// Pairs that are surely apart wait until the bound is as low as it gets; others are decided at once.
   double visit(const TilePair& pair) {
-    const SquaredBounds bounds =
-        closest::squared_bounds(a_.rounded(pair.a), b_.rounded(pair.b), a_.are_exact() && b_.are_exact());
+    Triangle<double> p = a_.rounded(pair.a);
+    const Triangle<double> q = b_.rounded(pair.b);
+    double error = a_.are_exact() && b_.are_exact() ? 0 : std::max(largest(p), largest(q));
+    if (is_moved_) {
+      // The vector, the corner and their sum are each off by 2^-53 of themselves.
+      for (Vector<double>& corner : p) {
+        for (std::size_t axis = 0; axis < 3; ++axis) corner[axis] += rounded_by_[axis];
+      }
+      error += length_ + largest(p);
+    }
+    const SquaredBounds bounds = closest::squared_bounds(p, q, 0x1p-52 * error);
     if (bounds.lower > bound_) return bound_;
     if (bounds.lower > 0) {
       left_.emplace_back(bounds.lower, pair);
@@ -135,8 +156,11 @@ class Search {
 
   void compare_exactly(const TilePair& pair) {
     if (++compared_ % 16 == 0) context_.poll();
-    if (best_ && is_no_nearer(enclosed(a_, pair.a), enclosed(b_, pair.b), enclosed_between_)) return;
-    const Triangle<Rational> p = a_.exact(pair.a);
+    Triangle<Interval> enclosed_p = enclosed(a_, pair.a);
+    move(enclosed_p, enclosed_by_);
+    if (best_ && is_no_nearer(enclosed_p, enclosed(b_, pair.b), enclosed_between_)) return;
+    Triangle<Rational> p = a_.exact(pair.a);
+    move(p, by_);
     const Triangle<Rational> q = b_.exact(pair.b);
     if (best_ && is_no_nearer(p, q, between_)) return;
     TrianglePair<Rational> triangles(p, q);
@@ -149,6 +173,20 @@ class Search {
     best_ = std::move(nearest);
     between_ = closest::difference(best_->points[0], best_->points[1]);
     for (std::size_t axis = 0; axis < 3; ++axis) enclosed_between_[axis] = Interval::around(between_[axis]);
+  }
+
+  template <class Number>
+  static void move(Triangle<Number>& t, const Vector<Number>& by) {
+    for (Vector<Number>& corner : t) {
+      for (std::size_t axis = 0; axis < 3; ++axis) corner[axis] = corner[axis] + by[axis];
+    }
+  }
+  static double largest(const Triangle<double>& t) {
+    double size = 0;
+    for (const Vector<double>& corner : t) {
+      for (const double x : corner) size = std::max(size, std::fabs(x));
+    }
+    return size;
   }
 
   /// Whether a pair is surely as far apart as the best one already along the line through the points of that one: of
@@ -183,6 +221,11 @@ class Search {
 
   const Covered& a_;
   const Covered& b_;
+  const Vector<Rational> by_;
+  Vector<double> rounded_by_{};
+  Vector<Interval> enclosed_by_;
+  bool is_moved_ = false;
+  double length_ = 0;
   const Context& context_;
   double bound_ = std::numeric_limits<double>::infinity();
   std::vector<std::pair<double, TilePair>> left_;  // with lower bounds
@@ -192,13 +235,16 @@ class Search {
   std::size_t compared_ = 0;
 };
 
-}  // namespace
-
-BoundaryDistance boundary_distance(const Brep& a, const Brep& b, const Context& context) {
+BoundaryProximity::BoundaryProximity(const Brep& a, const Brep& b, const Context& context) {
   if (a.face_count() == 0 || b.face_count() == 0) throw InputError("a boundary without faces has no distance");
-  const Covered in_a(a, context);
-  const Covered in_b(b, context);
-  return Search(in_a, in_b, context).run();
+  a_ = std::make_unique<const Covered>(a, context);
+  b_ = std::make_unique<const Covered>(b, context);
+}
+
+BoundaryProximity::~BoundaryProximity() = default;
+
+BoundaryDistance BoundaryProximity::distance(const RationalPoint3& translation, const Context& context) const {
+  return Search(*a_, *b_, translation, context).run();
 }
 
 }  // namespace quoin

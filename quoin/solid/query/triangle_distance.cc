@@ -41,7 +41,7 @@ double gap_along(const Vector<double>& w, const Triangle<double>& a, const Trian
 /// Upwards: the distance of two points that are means of corners with weights of at least zero, which sum to one but
 /// for 4 u. Downwards: a gap between planes, along the line through these points or normal to their features. All that
 /// is measured from a corner.
-SquaredBounds squared_bounds(const Triangle<double>& a, const Triangle<double>& b, bool are_exact) {
+SquaredBounds squared_bounds(const Triangle<double>& a, const Triangle<double>& b, double coordinate_error) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   const Vector<double> origin = b[0];
   const auto from_origin = [&](const Triangle<double>& t) {
@@ -51,7 +51,7 @@ SquaredBounds squared_bounds(const Triangle<double>& a, const Triangle<double>& 
   const Triangle<double> q = from_origin(b);
   const double size = std::max(largest(p), largest(q));
   if (!(0x1p-200 < size && size < 0x1p200)) return {0, infinite};
-  const double error = u * size + (are_exact ? 0 : 2 * u * std::max(largest(a), largest(b)));
+  const double error = u * size + 2 * coordinate_error * spare;  // of a corner from the origin
   const PointPair<double> nearest = TrianglePair<double>(p, q).nearest();
   if (!(nearest.squared_length < 0x1p420)) return {0, infinite};  // or not a number, of a sliver
   const Vector<double> between = difference(nearest.points[0], nearest.points[1]);

@@ -127,12 +127,11 @@ class TrianglePair {
   std::optional<PointPair<Number>> best_;
 };
 
-/// Doubles that enclose the square of the distance of two triangles of rounded points. Coordinates are exact, or off by
-/// 2^-53 times themselves.
+/// Doubles that enclose the square of the distance of two triangles whose coordinates are off by no more than an error.
 struct SquaredBounds {
   double lower = 0;
   double upper = 0;
 };
-SquaredBounds squared_bounds(const Triangle<double>& a, const Triangle<double>& b, bool are_exact);
+SquaredBounds squared_bounds(const Triangle<double>& a, const Triangle<double>& b, double coordinate_error);
 
 }  // namespace quoin::closest
