@@ -93,6 +93,19 @@ TEST(TriangleDistance, BoundsHoldAtAnySize) {
   }
 }
 
+TEST(TriangleDistance, CommonPointsThatCrossAreTold) {
+  const Triangle<double> floor{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}};
+  const auto crossing = [&](const Triangle<double>& t) {
+    const auto common = TrianglePair<Rational>(exact(floor), exact(t)).common_point();
+    return common ? (common->is_crossing ? 2 : 1) : 0;
+  };
+  EXPECT_EQ(crossing({{{1, 1, -1}, {1, 1, 1}, {9, 9, 9}}}), 2);
+  EXPECT_EQ(crossing({{{2, 2, -1}, {2, 2, 1}, {9, 9, 9}}}), 1);
+  EXPECT_EQ(crossing({{{0, 0, -1}, {0, 0, 1}, {-9, -9, 9}}}), 1);
+  EXPECT_EQ(crossing({{{3, 3, -1}, {3, 3, 1}, {9, 9, 9}}}), 0);
+  EXPECT_EQ(crossing({{{1, 1, 0}, {1, 1, 1}, {9, 9, 9}}}), 0);
+}
+
 /// Corners that are off by 2^-53 of themselves.
 TEST(TriangleDistance, BoundsHoldForRoundedCorners) {
   Random random(1);

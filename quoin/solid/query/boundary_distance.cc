@@ -121,7 +121,7 @@ class BoundaryProximity::Search {
       const Vector<Rational>& p = best_->points[k];
       return {p[0], p[1], p[2]};
     };
-    return {best_->squared_length, {point(0), point(1)}};
+    return {best_->squared_length, {point(0), point(1)}, is_crossing_};
   }
 
  private:
@@ -146,8 +146,10 @@ class BoundaryProximity::Search {
     }
     compare_exactly(pair);
     if (best_->squared_length.sign() == Sign::zero) {
+      // A few more that meet may tell that they cross.
+      constexpr std::size_t enough = 50;
       left_.clear();
-      bound_ = -1;
+      bound_ = is_crossing_ || ++meeting_ == enough ? -1 : 0;
     } else {
       bound_ = std::min(bound_, best_->squared_length.to_double() * (1 + 0x1p-52) + 0x1p-1070);
     }
@@ -158,14 +160,16 @@ class BoundaryProximity::Search {
     if (++compared_ % 16 == 0) context_.poll();
     Triangle<Interval> enclosed_p = enclosed(a_, pair.a);
     move(enclosed_p, enclosed_by_);
-    if (best_ && is_no_nearer(enclosed_p, enclosed(b_, pair.b), enclosed_between_)) return;
+    const bool is_met_or_first = !best_ || best_->squared_length.sign() == Sign::zero;
+    if (!is_met_or_first && is_no_nearer(enclosed_p, enclosed(b_, pair.b), enclosed_between_)) return;
     Triangle<Rational> p = a_.exact(pair.a);
     move(p, by_);
     const Triangle<Rational> q = b_.exact(pair.b);
-    if (best_ && is_no_nearer(p, q, between_)) return;
+    if (!is_met_or_first && is_no_nearer(p, q, between_)) return;
     TrianglePair<Rational> triangles(p, q);
     if (const auto common = triangles.common_point()) {
-      best_ = PointPair<Rational>{{*common, *common}, Rational(0), {}};
+      is_crossing_ = common->is_crossing;
+      best_ = PointPair<Rational>{{common->point, common->point}, Rational(0), {}};
       return;
     }
     PointPair<Rational> nearest = triangles.nearest();
@@ -233,6 +237,8 @@ class BoundaryProximity::Search {
   Vector<Rational> between_;  // of its points
   Vector<Interval> enclosed_between_;
   std::size_t compared_ = 0;
+  std::size_t meeting_ = 0;  // pairs compared since the first that meets
+  bool is_crossing_ = false;
 };
 
 BoundaryProximity::BoundaryProximity(const Brep& a, const Brep& b, const Context& context) {

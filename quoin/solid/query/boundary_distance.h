@@ -14,6 +14,9 @@ namespace quoin {
 struct BoundaryDistance {
   Rational squared_distance{0};
   std::array<RationalPoint3, 2> witness{};  ///< a point of each, as far apart; equal where they meet
+  /// An edge of one crosses a triangle inside a face of the other, where there is nothing else of that boundary: then
+  /// the solids that they bound overlap. Not set of all that overlap.
+  bool is_crossing = false;
 };
 
 /// Answers how far two boundaries are apart, for any translation of the first.

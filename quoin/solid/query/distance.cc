@@ -53,7 +53,7 @@ SolidDistance SolidProximity::distance(const RationalPoint3& translation, const 
   if (!boundaries_) return result;
   BoundaryDistance nearest = boundaries_->distance(translation, context);
   if (nearest.squared_distance.sign() == Sign::zero) {
-    if (do_interiors_meet(translation, context)) return result;
+    if (nearest.is_crossing || do_interiors_meet(translation, context)) return result;
     result.relation = Interference::touching;
   } else {
     const RationalPoint3 back = translation * Rational(-1);

@@ -24,8 +24,9 @@ struct SolidDistance {
 ///
 /// Exact, for any two evaluated solids: with holes, of several pieces, one in a cavity of the other, unbounded. The
 /// distance of their boundaries (boundary_distance.h); where these do not meet, one point of each shell tells whether a
-/// solid is inside the other; where they do, the solids overlap if their regularized intersection is not empty, which
-/// costs one. Immutable after construction; safe to share between threads.
+/// solid is inside the other; where they cross inside a face, the solids overlap; where they only meet in other ways,
+/// if their regularized intersection is not empty, which costs one. Immutable after construction; safe to share between
+/// threads.
 class SolidProximity {
  public:
   /// O(n log n). @throws InputError if one is empty, Cancelled

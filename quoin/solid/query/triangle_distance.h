@@ -50,10 +50,17 @@ class TrianglePair {
     return *best_;
   }
 
-  /// A common point, if one has an edge with its ends on both sides of the other's plane that meets it. Those that meet
-  /// in another way have a vertex in the other, or edges that cross: nearest points are equal.
-  std::optional<Vector<Number>> common_point() const {
+  struct CommonPoint {
+    Vector<Number> point;
+    bool is_crossing = false;  ///< it is inside a triangle, not on its rim
+  };
+
+  /// A common point, if one has an edge with its ends on both sides of the other's plane that meets it; one that
+  /// crosses it, if there is any. Those that meet in another way have a vertex in the other, or edges that cross:
+  /// nearest points are equal.
+  std::optional<CommonPoint> common_point() const {
     const Number zero(0.0);
+    std::optional<CommonPoint> result;
     for (std::size_t k = 0; k < 2; ++k) {
       const Triangle<Number>& edges = triangles_[k];
       const Triangle<Number>& t = triangles_[1 - k];
@@ -64,19 +71,25 @@ class TrianglePair {
         const Number& to = heights[(i + 1) % 3];
         if (!((from < zero && zero < to) || (to < zero && zero < from))) continue;
         const Vector<Number> p = moved<Number>(edges[i], edges_[k][i], from / (from - to));
-        if (is_in_plane_of_and_in(1 - k, p)) return p;
+        const int place = place_in(1 - k, p);
+        if (place > 0) return CommonPoint{p, true};
+        if (place == 0) result = CommonPoint{p};
       }
     }
-    return std::nullopt;
+    return result;
   }
 
  private:
-  bool is_in_plane_of_and_in(std::size_t k, const Vector<Number>& p) const {
+  /// Of a point of its plane: 1 inside, 0 on the rim, -1 outside.
+  int place_in(std::size_t k, const Vector<Number>& p) const {
     const Number zero(0.0);
+    int place = 1;
     for (std::size_t i = 0; i < 3; ++i) {
-      if (dot(normals_[k], cross(edges_[k][i], difference(p, triangles_[k][i]))) < zero) return false;
+      const Number area = dot(normals_[k], cross(edges_[k][i], difference(p, triangles_[k][i])));
+      if (area < zero) return -1;
+      if (!(zero < area)) place = 0;
     }
-    return true;
+    return place;
   }
 
   void consider(std::size_t k, const Vector<Number>& of_k, const Vector<Number>& of_other,
