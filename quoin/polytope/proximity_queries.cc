@@ -27,7 +27,7 @@ struct ProximityQueries::Closest {
 };
 
 ProximityQueries::ProximityQueries(const Polytope& first, const Polytope& second, const Context& context)
-    : body_(first, second, context), filters_(body_) {
+    : body_(first, second, context), filters_(body_, context) {
   fill_table(context);
 }
 

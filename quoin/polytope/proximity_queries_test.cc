@@ -361,7 +361,7 @@ TEST(TranslationFilters, AgreeWithExactSigns) {
     const double size = sizes.at(seed % 4);
     const TranslationBody body(polytope(draw(15, size * static_cast<double>(seed), size)),
                                polytope(draw(15, 0, size * 3)), one_thread);
-    const TranslationFilters filters(body);
+    const TranslationFilters filters(body, one_thread);
     const auto compare = [&](int sign, Sign exact) {
       ++decided.at(sign != 0 ? 1 : 0);
       if (sign != 0) {

@@ -52,7 +52,7 @@ bool is_below(const Enclosed& a, double limit) {
 
 }  // namespace
 
-TranslationFilters::TranslationFilters(const TranslationBody& body) {
+TranslationFilters::TranslationFilters(const TranslationBody& body, const Context& context) {
   Enclosed mean;
   for (const std::uint32_t v : body.anchors()) {
     const Enclosed corner = enclosed(body, v);
@@ -66,6 +66,7 @@ TranslationFilters::TranslationFilters(const TranslationBody& body) {
   std::vector<Enclosed> from_centre;
   for (const Interval& c : mean) centre_error_ = std::max(centre_error_, radius(c));
   for (std::uint32_t v = 0; v < body.vertex_count(); ++v) {
+    if (v % 1024 == 0) context.poll();
     const Enclosed corner = enclosed(body, v);
     from_double.push_back(difference(corner, origin));
     from_centre.push_back(difference(corner, mean));
@@ -78,6 +79,7 @@ TranslationFilters::TranslationFilters(const TranslationBody& body) {
   sides_.resize(body.rim_count());
   if (!is_in_range_) return;
   for (std::uint32_t f = 0; f < body.facet_count(); ++f) {
+    if (f % 1024 == 0) context.poll();
     const std::uint32_t rim = body.first_rim(f);
     const Enclosed& a = from_double[body.tail(rim)];
     const Enclosed normal =
@@ -88,6 +90,7 @@ TranslationFilters::TranslationFilters(const TranslationBody& body) {
                   (1 + 0x1p-30) * (radius(height) + 3 * u * std::fabs(middle(height)))};
   }
   for (std::uint32_t rim = 0; rim < body.rim_count(); ++rim) {
+    if (rim % 1024 == 0) context.poll();
     const Enclosed normal = enclosed_cross(from_centre[body.tail(rim)], from_centre[body.head(rim)]);
     sides_[rim] = {middle(normal), relative_error(normal, 5)};
   }

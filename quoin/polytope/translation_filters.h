@@ -19,8 +19,8 @@ namespace quoin {
 /// is decided.
 class TranslationFilters {
  public:
-  /// O(size of the body), in intervals.
-  explicit TranslationFilters(const TranslationBody& body);
+  /// O(size of the body), in intervals. @throws Cancelled
+  TranslationFilters(const TranslationBody& body, const Context& context);
 
   /// A translation, from the double near the centre: each component within u of itself.
   struct Query {

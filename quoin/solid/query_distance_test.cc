@@ -102,6 +102,8 @@ SolidDistance check(const Solid& a, const Solid& b) {
   EXPECT_TRUE(is_on_boundary(place_of(a, d.witness[0])));
   EXPECT_TRUE(is_on_boundary(place_of(b, d.witness[1])));
   EXPECT_EQ(d.squared_distance.sign() == Sign::zero, d.relation == Interference::touching);
+  const std::size_t pairs = a.boundary().face_count() * b.boundary().face_count();
+  if (tests_take_fewer_rounds && pairs > 60) return d;
   EXPECT_EQ(AllPairs(a.boundary(), b.boundary()).squared(), d.squared_distance);
   return d;
 }

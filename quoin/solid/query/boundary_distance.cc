@@ -33,6 +33,7 @@ class BoundaryProximity::Covered {
     const std::size_t count = boundary.points.point_count();
     std::vector<std::uint8_t> is_rounded(count, 0);
     for (std::size_t v = 0; v < count; ++v) {
+      if (v % 4096 == 0) context.poll();
       const PointId p{static_cast<std::uint32_t>(v)};
       rounded_.push_back(boundary.points.rounded(p));
       is_rounded[v] = boundary.points.is_exact(p) ? 0 : 1;
@@ -43,6 +44,7 @@ class BoundaryProximity::Covered {
     triangles_ = triangulate_faces(boundary, rounded_, none_moved, context);
     std::vector<std::uint32_t> anew = triangles_.failed_faces;
     for (std::uint32_t f = 0; f < boundary.face_count(); ++f) {
+      if (f % 4096 == 0) context.poll();
       if (!is_triangle(f) && has_any(f, is_rounded)) anew.push_back(f);
     }
     std::sort(anew.begin(), anew.end());
