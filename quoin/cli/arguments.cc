@@ -203,6 +203,21 @@ void add_solid_sums(CLI::App& app, Options& options) {
   add_one_file(*add_maker(app, options, "decompose", "a solid as few convex pieces, a file for each"), options);
 }
 
+void add_distance(CLI::App& app, Options& options) {
+  CLI::App* distance =
+      add_command(app, options, "distance", "whether two solids are apart, touch or overlap, and how far");
+  distance->add_option("files", options.inputs, "two meshes, .qsolid, or files of points, which mean their hull")
+      ->required()
+      ->expected(2);
+  distance->add_option("--translate", options.translation, "x,y,z: the first solid is moved by that");
+  distance->add_option("--direction", options.direction,
+                       "x,y,z: how far the first goes that way to leave the second, of convex solids");
+  distance->add_option("--path", options.path,
+                       "file with a place per line that the first is moved to, in turn; '-' for standard input");
+  add_repeatable(*distance, "-o,--output", options.outputs,
+                 "with --path: SVG drawing of the trail, from above; '-' for standard output; may be repeated");
+}
+
 void add_commands(CLI::App& app, Options& options) {
   add_booleans(app, options);
   add_files(*add_command(app, options, "info", "what a solid is: volume, area, counts, bounds, centroid"), options);
@@ -218,12 +233,7 @@ void add_commands(CLI::App& app, Options& options) {
   add_one_file(*map, options);
   add_pictures(*map, options, "");
   map->add_flag("--cube", options.cube, "on the six squares of a cube instead of the sphere");
-  CLI::App* distance =
-      add_command(app, options, "distance", "whether two convex solids are apart, touch or overlap, and how far");
-  distance->add_option("files", options.inputs, "two convex meshes, .qsolid, or files of points, which mean their hull")
-      ->required()
-      ->expected(2);
-  distance->add_option("--translate", options.translation, "x,y,z: the first solid is moved by that");
+  add_distance(app, options);
   add_one_file(*add_command(app, options, "width",
                             "of a convex solid: least distance of parallel planes about it, diameter, smallest ball"),
                options);

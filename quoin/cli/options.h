@@ -22,6 +22,8 @@ struct Options {
   std::vector<std::string> lines;    ///< of `classify`: "x,y,z,dx,dy,dz"
   std::string points_file;           ///< of `classify`: a point per line, "-" for standard input
   std::string translation;           ///< of `distance`: "x,y,z"
+  std::string direction;             ///< of `distance`: "x,y,z"
+  std::string path;                  ///< of `distance`: a place per line, "-" for standard input
   std::string plane;                 ///< of `section`: "a,b,c,d"
   std::string operation;             ///< of `polygon`
   std::string fill;                  ///< of `polygon`: how rings that cross are read; empty: they are refused

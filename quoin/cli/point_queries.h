@@ -19,4 +19,7 @@ struct Query {
 /// @throws UsageError  an argument is no point; InputError, FileError  the file
 std::vector<Query> point_queries(const Options& options, std::size_t dimensions);
 
+/// Those of a file, or of standard input for "-". @throws InputError, FileError
+std::vector<Query> points_of_file(const std::string& name, std::size_t dimensions);
+
 }  // namespace quoin::cli

@@ -25,6 +25,11 @@ Target solid_target(const std::string& name, const std::string& ending) {
   return {name, Target::Kind::mesh, *format};
 }
 
+Target trail_target(const std::string& name) {
+  if (name != standard_stream && ending_of(name) != ".svg") throw UsageError(name + ": trails are written as .svg");
+  return {name, Target::Kind::drawing};
+}
+
 Target drawing_target(const std::string& name) {
   if (name != standard_stream && ending_of(name) != ".svg")
     throw UsageError(name + ": sections are written as .svg; for a page or a mesh, cut the solid with a Boolean");
@@ -60,6 +65,7 @@ Target target_of(const std::string& name, const Options& options) {
     return planar_target(name, in_small_letters("." + format), options);
   }
   if (options.command == "section") return drawing_target(name);
+  if (options.command == "distance") return trail_target(name);
   if (name != standard_stream) return solid_target(name, ending_of(name));
   return solid_target(name, in_small_letters("." + (options.format.empty() ? "off" : options.format)));
 }
@@ -90,7 +96,7 @@ void require_known_targets(const Options& options) {
 }
 
 void require_single_use_of_streams(const Options& options) {
-  std::size_t readers = options.points_file == standard_stream ? 1 : 0;
+  std::size_t readers = (options.points_file == standard_stream ? 1 : 0) + (options.path == standard_stream ? 1 : 0);
   for (const std::string& input : options.inputs) {
     const bool is_named = options.command == "csg" && input.find('=') != std::string::npos;
     readers += (is_named ? input.substr(input.find('=') + 1) : input) == standard_stream ? 1 : 0;

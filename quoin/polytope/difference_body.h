@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "quoin/base/context.h"
+#include "quoin/kernel/closest_point.h"
 #include "quoin/number/interval.h"
-#include "quoin/polytope/closest_point.h"
 #include "quoin/polytope/minkowski_sum.h"
 #include "quoin/polytope/polytope.h"
 

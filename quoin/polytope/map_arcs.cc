@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "quoin/base/error.h"
-#include "quoin/polytope/closest_point.h"
+#include "quoin/kernel/closest_point.h"
 
 namespace quoin {
 

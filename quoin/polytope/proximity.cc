@@ -8,8 +8,8 @@
 #include <span>
 #include <utility>
 
+#include "quoin/kernel/closest_point.h"
 #include "quoin/number/interval.h"
-#include "quoin/polytope/closest_point.h"
 #include "quoin/polytope/difference_body.h"
 
 namespace quoin {

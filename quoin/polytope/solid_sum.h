@@ -25,7 +25,8 @@ Solid minkowski_sum(const Solid& a, const Solid& b, const Context& context);
 Solid erosion(const Solid& a, const Solid& b, const Context& context);
 
 /// The same with a convex polytope of any dimension, by the union of its sums with convex pieces of the solid: what a
-/// flat one sweeps along. Exact; O(sums) and one overlay of these. @throws InputError  the solid is unbounded; Cancelled
+/// flat one sweeps along. Exact; O(sums) and one overlay of these. @throws InputError  the solid is unbounded;
+/// Cancelled
 Solid minkowski_sum(const Solid& a, const Polytope& b, const Context& context);
 Solid erosion(const Solid& a, const Polytope& b, const Context& context);
 

@@ -40,6 +40,11 @@ class BoxTree {
 
   /// All pairs (tile of `a`, tile of `b`) whose boxes meet.
   static std::vector<TilePair> pairs(const BoxTree& a, const BoxTree& b, const Context& context);
+  /// Calls visit(pair) for pairs (tile of `a`, tile of `b`) whose boxes are no further apart than a bound, nearer
+  /// subtrees first, with those of `a` moved by a vector that is off by less than 2^-52 of itself; `visit` returns the
+  /// square of the bound from then on, which never grows, and ends all below zero.
+  static void nearest_pairs(const BoxTree& a, const BoxTree& b, const Vector3& by,
+                            const std::function<double(const TilePair&)>& visit, const Context& context);
   /// All pairs a < b of tiles of this tree whose boxes meet, also those that share vertices.
   std::vector<TilePair> self_pairs(const Context& context) const;
   /// Pairs of tiles that are not reported.
@@ -84,6 +89,7 @@ class BoxTree {
 
  private:
   friend class BoxTreePairs;
+  friend class BoxTreeNearest;
   friend class SubtreeMarker;
 
   // Nodes in depth-first order: the first child follows its parent, the second is named. A leaf has block_count > 0

@@ -31,7 +31,7 @@ hull minkowski erode decompose gaussian-map distance width arrange overlay locat
       mapfile -t COMPREPLY < <(compgen -W "even-odd nonzero positive" -- "$word")
       return
       ;;
-    --ball | --within | --translate | --threads | --timeout | --seed | --weld | --point | --line | --plane | --flatten | --distance | --precision) return ;;
+    --ball | --within | --translate | --direction | --threads | --timeout | --seed | --weld | --point | --line | --plane | --flatten | --distance | --precision) return ;;
   esac
   if [[ $word == -* ]]; then
     local options="$common"
@@ -39,7 +39,7 @@ hull minkowski erode decompose gaussian-map distance width arrange overlay locat
       union | intersection | difference | xor | csg | repair | convert | view | hull | decompose) options+=" $makes" ;;
       minkowski | erode) options+=" $makes --ball --within --inner" ;;
       gaussian-map) options+=" $draws --cube" ;;
-      distance) options+=" --translate" ;;
+      distance) options+=" --translate --direction --path -o --output" ;;
       classify) options+=" --point --points --line" ;;
       section) options+=" --plane -o --output" ;;
       arrange) options+=" $draws --sphere" ;;

@@ -5,6 +5,7 @@
 """
 import json
 import math
+import xml.etree.ElementTree
 
 from command import DONE, FILE_TROUBLE, REFUSED, USAGE, CommandTest, box, main
 
@@ -228,8 +229,99 @@ class Distance(CommandTest):
         self.write("segment.off", "OFF\n2 0 0\n5 0 0\n5 0 9\n")
         self.assertEqual(self.json_of("distance", "point.off", "segment.off")["squared_distance"], 25)
         self.assertEqual(self.json_of("distance", "point.off", "point.off")["relation"], "touching")
+        self.assertEqual((touching["contact"], touching["grazing"]), (["face", "face"], False))
+        corner = self.json_of("distance", "a.off", "b.off", "--translate", "-1,3,-1")
+        self.assertEqual((corner["relation"], corner["contact"], corner["grazing"]), ("touching", ["vertex", "vertex"], True))
+        # By what is no double: 1/3 further than where they touch.
+        exact = self.json_of("distance", "a.off", "b.off", "--translate", "-4/3,0,0")
+        self.assertEqual((exact["relation"], exact["exact_squared_distance"]), ("apart", "1/9"))
+        self.assertEqual(exact["exact_witness"][0][0], "2/3")
         self.run_quoin("distance", "a.off", "b.off", "--translate", "1,2", code=USAGE)
         self.assertRegex(self.run_quoin("distance", "a.off", "far.off").stdout, r"relation +apart\n")
+
+    def test_solids_that_are_not_convex(self):
+        # A hollow box, one in its cavity, and a frame with something through its hole.
+        self.write("big.off", box((0, 0, 0), (10, 10, 10)))
+        self.write("cavity.off", box((1, 1, 1), (9, 9, 9)))
+        self.run_quoin("difference", "big.off", "cavity.off", "-o", "hollow.qsolid")
+        self.write("inner.off", box((4, 4, 4), (6, 6, 7)))
+        inside = self.json_of("distance", "hollow.qsolid", "inner.off")
+        self.assertEqual((inside["relation"], inside["exact_squared_distance"]), ("apart", "4"))
+        self.assertEqual([p[2] for p in inside["witness"]], [9, 7])
+        down = self.json_of("distance", "inner.off", "hollow.qsolid", "--translate", "0,0,-3")
+        self.assertEqual((down["relation"], down["witness"][0][2]), ("touching", 1))
+        through = self.json_of("distance", "hollow.qsolid", "inner.off", "--translate", "0,0,7/2")
+        self.assertEqual(through["relation"], "overlapping")
+        self.assertNotIn("witness", through)
+        self.assertEqual(self.json_of("distance", "big.off", "inner.off")["relation"], "overlapping")
+        self.run_quoin("union", "a.off", "b.off", "far.off", "-o", "pieces.off")
+        apart = self.json_of("distance", "pieces.off", "pieces.off", "--translate", "4,4,4")
+        self.assertEqual(apart["exact_squared_distance"], "3")
+        self.run_quoin("difference", "a.off", "a.off", "-o", "nothing.qsolid")
+        self.assertIn("empty", self.run_quoin("distance", "a.off", "nothing.qsolid", code=REFUSED).stderr)
+
+    def test_points_that_mean_their_hull(self):
+        self.write("square.off", "OFF\n4 0 0\n0 0 5\n2 0 5\n2 2 5\n0 2 5\n")
+        self.assertEqual(self.json_of("distance", "a.off", "square.off")["squared_distance"], 9)
+        self.run_quoin("union", "a.off", "b.off", "-o", "u.off")
+        self.assertIn("in a plane", self.run_quoin("distance", "u.off", "square.off", code=REFUSED).stderr)
+
+    def test_directions(self):
+        inside = self.json_of("distance", "a.off", "b.off", "--direction", "-2,0,0")
+        self.assertEqual(inside["exact_directional_penetration"], "1/2")
+        self.assertEqual(self.json_of("distance", "a.off", "b.off", "--direction", "0,3,0")["directional_penetration"], 1)
+        self.assertEqual(self.json_of("distance", "a.off", "far.off", "--direction", "1,0,0")["directional_penetration"], 0)
+        self.run_quoin("union", "a.off", "b.off", "-o", "u.off")
+        self.assertIn("convex", self.run_quoin("distance", "u.off", "a.off", "--direction", "1,0,0", code=REFUSED).stderr)
+        self.assertIn("double", self.run_quoin("distance", "a.off", "b.off", "--direction", "1/3,0,0", code=REFUSED).stderr)
+        self.assertIn("double", self.run_quoin("distance", "a.off", "b.off", "--translate", "1/3,0,0", "--direction", "1,0,0",
+                                               code=REFUSED).stderr)
+        for wrong in ("0,0,0", "1,2", "x,0,0"):
+            self.run_quoin("distance", "a.off", "b.off", "--direction", wrong, code=USAGE)
+
+    def test_paths(self):
+        # Down onto b, along its top, off the edge, and into far.off from above; pieces are in the order of the file.
+        self.run_quoin("union", "b.off", "far.off", "-o", "two.off")
+        self.write("path.txt", "# places\n0 0 4\n0,0,3\n\n2 0 3\n8 0 3\n8 8 12\n8 8 8\n")
+        report = self.json_of("distance", "a.off", "two.off", "--path", "path.txt", "-o", "trail.svg")
+        self.assert_keys(report, "steps events between nearest_step outputs warnings")
+        self.assertEqual([s["relation"] for s in report["steps"]],
+                         ["apart", "touching", "touching", "apart", "apart", "overlapping"])
+        self.assertEqual([s["exact_squared_distance"] for s in report["steps"][:4]], ["1", "0", "0", "25"])
+        self.assertEqual(report["steps"][1]["contact"], ["face", "face"])
+        self.assertEqual(report["nearest_step"], 0)
+        events = [(e["leg"], e["relation"], e["exact_enter"], e["exact_leave"], e["continues"]) for e in report["events"]]
+        self.assertEqual(events, [(0, "touching", "1", "1", False), (1, "touching", "0", "1", True),
+                                  (2, "touching", "0", "1/6", True), (4, "overlapping", "1/2", "1", False)])
+        self.assertEqual(report["events"][2]["to"], [3, 0, 3])
+        self.assertEqual([e["pieces"][1] for e in report["events"]][-1], 1)
+        drawing = self.read("trail.svg").decode()
+        self.assertEqual(xml.etree.ElementTree.fromstring(drawing).tag, "{http://www.w3.org/2000/svg}svg")
+        self.assertEqual(drawing.count('class="place'), 6)
+        text = self.run_quoin("distance", "a.off", "two.off", "--path", "-", stdin="0 0 3\n").stdout
+        self.assertIn("0: at [0.0,0.0,3.0] touching, face on face", text)
+        self.assertTrue(self.run_quoin("distance", "a.off", "two.off", "--path", "path.txt", "-o", "-").stdout.startswith("<svg"))
+
+    def test_paths_of_solids_that_are_not_convex(self):
+        self.run_quoin("union", "a.off", "b.off", "-o", "u.off")
+        self.write("path.txt", "1/3 0 9\n0 0 7\n0 0 6\n")
+        report = self.json_of("distance", "u.off", "far.off", "--path", "path.txt", "-o", "trail.svg")
+        self.assertEqual([s["exact_squared_distance"] for s in report["steps"]], ["613/9", "72", "72"])
+        self.assertFalse(report["between"])
+        self.assertNotIn("events", report)
+        self.assertIn("<svg", self.read("trail.svg").decode())
+
+    def test_mistakes_of_paths(self):
+        self.write("path.txt", "0 0 4\n0 0\n")
+        self.assertIn("path.txt:2", self.run_quoin("distance", "a.off", "b.off", "--path", "path.txt", code=REFUSED).stderr)
+        self.write("path.txt", "# nothing\n")
+        self.assertIn("no places", self.run_quoin("distance", "a.off", "b.off", "--path", "path.txt", code=REFUSED).stderr)
+        self.run_quoin("distance", "a.off", "b.off", "--path", "missing.txt", code=FILE_TROUBLE)
+        for words in (["-o", "trail.svg"], ["--path", "path.txt", "-o", "trail.off"],
+                      ["--path", "path.txt", "--translate", "1,0,0"], ["--path", "path.txt", "--direction", "1,0,0"]):
+            self.run_quoin("distance", "a.off", "b.off", *words, code=USAGE)
+        self.write("path.txt", "0 0 4\n")
+        self.run_quoin("distance", "a.off", "b.off", "--path", "path.txt", "-o", "no/folder.svg", code=FILE_TROUBLE)
 
     def test_width(self):
         self.write("slab.off", box((0, 0, 0), (3, 5, 0.5)))

@@ -55,7 +55,7 @@ class Usage(CommandTest):
 
     def test_standard_input_named_twice(self):
         for words in (["union", "-", "-"], ["csg", "x|y", "x=-", "y=-"], ["classify", "-", "--points", "-"],
-                      ["info", "-", "a.off", "-"], ["interfere", "-", "-"]):
+                      ["info", "-", "a.off", "-"], ["interfere", "-", "-"], ["distance", "-", "a.off", "--path", "-"]):
             self.assertIn("named twice", self.run_quoin(*words, stdin="", code=USAGE).stderr)
 
     def test_errors_as_json(self):

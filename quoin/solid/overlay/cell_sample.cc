@@ -1,86 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "quoin/solid/overlay/cell_sample.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <functional>
-#include <utility>
 #include <vector>
 
+#include "quoin/base/error.h"
+#include "quoin/solid/nearest_tile.h"
 #include "quoin/solid/overlay/winding.h"
 
 namespace quoin::overlay {
 
 namespace {
 
-using Triangle = std::array<RationalPoint3, 3>;
-
-Rational squared_distance_to_segment(const RationalPoint3& p, const RationalPoint3& a, const RationalPoint3& b) {
-  const RationalPoint3 along = b - a;
-  const Rational length = dot(along, along);
-  const Rational place = dot(p - a, along);
-  if (place.sign() != Sign::positive) return dot(p - a, p - a);
-  if (place >= length) return dot(p - b, p - b);
-  return dot(p - a, p - a) - place * place / length;
-}
-
-/// The triangle has an area.
-Rational squared_distance(const RationalPoint3& p, const Triangle& t) {
-  const RationalPoint3 normal = cross(t[1] - t[0], t[2] - t[0]);
-  bool is_above = true;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const RationalPoint3& a = t[k];
-    if (dot(cross(t[(k + 1) % 3] - a, p - a), normal).sign() == Sign::negative) is_above = false;
-  }
-  if (is_above) {
-    const Rational height = dot(p - t[0], normal);
-    return height * height / dot(normal, normal);
-  }
-  return std::min({squared_distance_to_segment(p, t[0], t[1]), squared_distance_to_segment(p, t[1], t[2]),
-                   squared_distance_to_segment(p, t[2], t[0])});
-}
-
-/// Below the distance of a point from the box of a tile, by rounded coordinates. Those of the point and of the corners
-/// err by u of themselves, differences and the root by a few u more; what falls below the range of doubles counts as 0.
-double least_distance(const Point3& p, const Constructions& table, const Corners& corners) {
-  double sum = 0;
-  double size = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    double low = table.rounded(corners[0])[axis];
-    double high = low;
-    for (std::size_t k = 1; k < 3; ++k) {
-      low = std::min(low, table.rounded(corners[k])[axis]);
-      high = std::max(high, table.rounded(corners[k])[axis]);
-    }
-    const double gap = std::max({low - p[axis], p[axis] - high, 0.0});
-    sum += gap * gap;
-    size = std::max({size, std::fabs(low), std::fabs(high), std::fabs(p[axis])});
-  }
-  return std::max(0.0, std::sqrt(sum) * (1 - 0x1p-48) - size * 0x1p-48);
-}
-
 /// The squared distance from p to the nearest tile that does not hold it.
 Rational squared_room(const Sheets& sheets, const RationalPoint3& p, const Context& context) {
-  const Constructions& table = sheets.scene->table;
-  const Point3 rounded{p.x.to_double(), p.y.to_double(), p.z.to_double()};
-  std::vector<std::pair<double, std::uint32_t>> order;
-  for (std::uint32_t t = 0; t < sheets.tile_count(); ++t) {
-    order.push_back({least_distance(rounded, table, sheets.corners(t)), t});
-  }
-  // A heap: only the first few are taken out in order.
-  std::make_heap(order.begin(), order.end(), std::greater<>());
-  Rational nearest(0);
-  for (auto end = order.end(); end != order.begin(); --end) {
-    context.poll();
-    std::pop_heap(order.begin(), end, std::greater<>());
-    const auto& [least, tile] = *(end - 1);
-    if (nearest.sign() == Sign::positive && Rational(least) * Rational(least) > nearest) break;
-    const Corners c = sheets.corners(tile);
-    const Rational found = squared_distance(p, {table.exact(c[0]), table.exact(c[1]), table.exact(c[2])});
-    if (found.sign() == Sign::positive && (nearest.sign() == Sign::zero || found < nearest)) nearest = found;
-  }
-  return nearest;
+  std::vector<Corners> tiles;
+  tiles.reserve(sheets.tile_count());
+  for (std::uint32_t t = 0; t < sheets.tile_count(); ++t) tiles.push_back(sheets.corners(t));
+  const auto nearest = nearest_point(p, sheets.scene->table, tiles, TouchingTiles::are_left_out, context);
+  if (!nearest) throw InternalError("a closed surface lies in a plane");
+  return nearest->squared_distance;
 }
 
 /// The largest power of two whose square is at most `square`, which is positive.

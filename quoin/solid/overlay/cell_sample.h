@@ -13,8 +13,7 @@ namespace quoin::overlay {
 /// where the room around the sheet's interior point lets them be.
 ///
 /// Exact: the ball around that point up to the nearest tile that does not hold it meets nothing but the sheet's plane.
-/// Tiles are measured in rationals, in order of the distance of their boxes until these are further than the nearest
-/// tile found. O(tiles), and O(log tiles) for each that is measured.
+/// O(tiles), and O(log tiles) for each that is measured (nearest_tile.h).
 RationalPoint3 point_near_sheet(const Sheets& sheets, std::uint32_t sheet, bool in_front, const Context& context);
 
 }  // namespace quoin::overlay

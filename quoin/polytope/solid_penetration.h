@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "quoin/base/context.h"
+#include "quoin/solid/solid.h"
+
+namespace quoin {
+
+/// How deep two solids lie in one another, for any translation of the first: by the sum of the second and the first
+/// reflected, whose boundary is where they only touch.
+///
+/// Exact, for any two bounded solids (solid_sum.h).
+class SolidPenetration {
+ public:
+  /// Cost of the sum. @throws InputError  a solid is unbounded; Cancelled
+  SolidPenetration(const Solid& first, const Solid& second, const Context& context);
+
+  struct Shortest {
+    Rational squared_depth{0};
+    RationalPoint3 separation{};  ///< of the first, until they only touch
+  };
+  /// Nothing where they have no points inside in common. O(faces of the sum).
+  std::optional<Shortest> shortest(const RationalPoint3& translation, const Context& context) const;
+
+  /// The least number a >= 0 such that moving the first by `a` times the direction leaves no points inside in common:
+  /// 0 where they have none. O(faces of the sum). @throws InputError  the direction is zero
+  Rational along(const RationalPoint3& translation, const RationalPoint3& direction, const Context& context) const;
+
+ private:
+  bool is_inside(const RationalPoint3& translation, const Context& context) const;
+
+  Solid sum_;
+  std::shared_ptr<const Leaf> surface_;  // null of an empty sum
+};
+
+}  // namespace quoin
