@@ -272,7 +272,12 @@ class Distance(CommandTest):
         self.assertEqual(self.json_of("distance", "a.off", "b.off", "--direction", "0,3,0")["directional_penetration"], 1)
         self.assertEqual(self.json_of("distance", "a.off", "far.off", "--direction", "1,0,0")["directional_penetration"], 0)
         self.run_quoin("union", "a.off", "b.off", "-o", "u.off")
-        self.assertIn("convex", self.run_quoin("distance", "u.off", "a.off", "--direction", "1,0,0", code=REFUSED).stderr)
+        deep = self.json_of("distance", "u.off", "a.off", "--direction", "1,0,0")
+        self.assertEqual((deep["relation"], deep["squared_penetration"]), ("overlapping", 4))
+        moved = f"{deep['exact_directional_penetration']},0,0"
+        self.assertEqual(self.json_of("distance", "u.off", "a.off", "--translate", moved)["relation"], "touching")
+        self.run_quoin("csg", "!x", "x=a.off", "-o", "all_but.qsolid")
+        self.assertIn("bounded", self.run_quoin("distance", "u.off", "all_but.qsolid", "--direction", "1,0,0", code=REFUSED).stderr)
         self.assertIn("double", self.run_quoin("distance", "a.off", "b.off", "--direction", "1/3,0,0", code=REFUSED).stderr)
         self.assertIn("double", self.run_quoin("distance", "a.off", "b.off", "--translate", "1/3,0,0", "--direction", "1,0,0",
                                                code=REFUSED).stderr)
