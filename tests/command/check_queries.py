@@ -278,9 +278,11 @@ class Distance(CommandTest):
         self.assertEqual(self.json_of("distance", "u.off", "a.off", "--translate", moved)["relation"], "touching")
         self.run_quoin("csg", "!x", "x=a.off", "-o", "all_but.qsolid")
         self.assertIn("bounded", self.run_quoin("distance", "u.off", "all_but.qsolid", "--direction", "1,0,0", code=REFUSED).stderr)
-        self.assertIn("double", self.run_quoin("distance", "a.off", "b.off", "--direction", "1/3,0,0", code=REFUSED).stderr)
-        self.assertIn("double", self.run_quoin("distance", "a.off", "b.off", "--translate", "1/3,0,0", "--direction", "1,0,0",
-                                               code=REFUSED).stderr)
+        # No doubles: by the sum of the two.
+        third = self.json_of("distance", "a.off", "b.off", "--direction", "-1/3,0,0")
+        self.assertEqual(third["exact_directional_penetration"], "3")
+        moved = self.json_of("distance", "a.off", "b.off", "--translate", "1/3,0,0", "--direction", "-1,0,0")
+        self.assertEqual(moved["exact_directional_penetration"], "4/3")
         for wrong in ("0,0,0", "1,2", "x,0,0"):
             self.run_quoin("distance", "a.off", "b.off", "--direction", wrong, code=USAGE)
 
