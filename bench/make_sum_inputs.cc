@@ -146,6 +146,9 @@ void write_all(const std::filesystem::path& folder) {
   write("brick", shapes::triangulated(shapes::box({0, 0, 0}, {10, 20, 5})));
   write("round_corner", on_grid(shapes::uv_sphere(32, 16, 2)));
   write("torus", on_grid(shapes::torus(32, 16, 2, 0.75)));
+  for (const std::size_t n : {16U, 32U, 64U, 128U}) {
+    write("torus_" + std::to_string(n), on_grid(shapes::torus(n, n / 2, 2, 0.75)));
+  }
   write("torus_full", shapes::torus(32, 16, 2, 0.75));
   write("ball_full", shapes::geodesic_sphere(3, 0.25));
 }
