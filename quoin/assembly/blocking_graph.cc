@@ -40,7 +40,8 @@ PartSet BlockingGraph::closure(const Rows& rows, std::uint32_t from, const PartS
 bool BlockingGraph::is_strongly_connected(const PartSet& within) const {
   for (std::size_t w = 0; w < words_; ++w) {
     if (within.words()[w] == 0) continue;
-    const auto part = static_cast<std::uint32_t>(64 * w + static_cast<std::size_t>(std::countr_zero(within.words()[w])));
+    const auto part =
+        static_cast<std::uint32_t>(64 * w + static_cast<std::size_t>(std::countr_zero(within.words()[w])));
     return closure(out_, part, within) == within && closure(in_, part, within) == within;
   }
   return true;

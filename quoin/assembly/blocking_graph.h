@@ -22,7 +22,9 @@ class BlockingGraph {
         in_(part_count * words_, 0) {}
 
   std::size_t part_count() const { return part_count_; }
-  bool has_arc(std::size_t from, std::size_t to) const { return (out_[from * words_ + to / 64] >> (to % 64) & 1U) != 0; }
+  bool has_arc(std::size_t from, std::size_t to) const {
+    return (out_[from * words_ + to / 64] >> (to % 64) & 1U) != 0;
+  }
   void set_arc(std::size_t from, std::size_t to, bool is_there) {
     set_bit(out_, from, to, is_there);
     set_bit(in_, to, from, is_there);

@@ -38,9 +38,7 @@ struct FaceBorder {
   Vector3 normals{0, 0, 0};             ///< sum of the normals, about
 
   bool is_lone(const SphereDirection& d) const {
-    return std::ranges::any_of(lone, [&](const SphereDirection& other) {
-      return are_equal(other, d.primitive());
-    });
+    return std::ranges::any_of(lone, [&](const SphereDirection& other) { return are_equal(other, d.primitive()); });
   }
   /// Enough, not needed: on the left of all edges.
   bool surely_holds(const SphereDirection& d) const {

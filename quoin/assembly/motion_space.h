@@ -32,8 +32,8 @@ struct MotionCounts {
 
 /// All directions of motion, divided into cells with one blocking graph each: the overlay of the regions of all pairs.
 ///
-/// No cell stores a graph: what changes from cell to cell is what the curves and vertices of the overlay say, and a walk
-/// keeps one graph up to date.
+/// No cell stores a graph: what changes from cell to cell is what the curves and vertices of the overlay say, and a
+/// walk keeps one graph up to date.
 class MotionSpace {
  public:
   /// One sweep, each region drawn once whatever the number of its pairs. O((n + k) log n) for n arcs and k crossings.
@@ -79,8 +79,8 @@ class MotionSpace {
   std::size_t part_count_;
   std::span<const RegionGroup> groups_;
   GeodesicArrangement arrangement_;
-  std::vector<Source> sources_;             // by curve
-  std::vector<Coincidence> coincidences_;   // sorted by vertex and group
+  std::vector<Source> sources_;                   // by curve
+  std::vector<Coincidence> coincidences_;         // sorted by vertex and group
   std::vector<std::uint32_t> first_coincidence_;  // by vertex
   std::vector<bool> is_cut_;
   std::vector<std::uint32_t> edge_cell_;

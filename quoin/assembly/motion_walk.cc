@@ -13,8 +13,8 @@ constexpr std::size_t cells_between_polls = 64;
 
 }  // namespace
 
-/// A graph that is kept up to date from cell to cell. From a face it steps to the edges and vertices of its boundary and
-/// back: there, a region counts as its own edge or vertex says, and all others as in the face.
+/// A graph that is kept up to date from cell to cell. From a face it steps to the edges and vertices of its boundary
+/// and back: there, a region counts as its own edge or vertex says, and all others as in the face.
 class MotionWalk {
  public:
   MotionWalk(const MotionSpace& space, const MotionSpace::Visit& visit, const Context& context)
@@ -29,7 +29,8 @@ class MotionWalk {
     find_start();
     is_edge_done_.assign(cells_.edges.size(), false);
     is_vertex_done_.assign(cells_.vertices.size(), false);
-    dcel::walk_faces(cells_, [&](dcel::HalfedgeId h) { cross(h); }, [&](dcel::FaceId f) { visit_face(f); });
+    dcel::walk_faces(
+        cells_, [&](dcel::HalfedgeId h) { cross(h); }, [&](dcel::FaceId f) { visit_face(f); });
   }
 
  private:

@@ -24,13 +24,13 @@ struct SumCounts {
 
 /// Seconds of wall time by phase, numbered as in Table 5.2 of the source.
 struct PhaseTimes {
-  double maps = 0;           ///< 2: Gaussian maps of pieces
-  double reflections = 0;    ///< 3
-  double sums = 0;           ///< 4
-  double projections = 0;    ///< 5
-  double unions = 0;         ///< 6
-  double motion_space = 0;   ///< 7
-  double processing = 0;     ///< 8
+  double maps = 0;          ///< 2: Gaussian maps of pieces
+  double reflections = 0;   ///< 3
+  double sums = 0;          ///< 4
+  double projections = 0;   ///< 5
+  double unions = 0;        ///< 6
+  double motion_space = 0;  ///< 7
+  double processing = 0;    ///< 8
   double total() const { return maps + reflections + sums + projections + unions + motion_space + processing; }
 };
 

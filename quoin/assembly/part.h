@@ -17,6 +17,8 @@ struct AssemblyPart {
   std::vector<Polytope> pieces;
   std::vector<Polytope> reflected;  ///< each piece times -1
   Box3 box;
+  double map_seconds = 0;         ///< time that the pieces' Gaussian maps took, where it is known
+  double reflection_seconds = 0;  ///< and their reflections
 };
 
 /// @throws InputError naming the part: no piece, or a flat one; Cancelled

@@ -16,17 +16,17 @@ namespace quoin {
 /// A way to take an assembly apart in two: in all directions of a cell these sets can move, the others staying.
 struct Solution {
   MotionCell cell;
-  SphereDirection direction;      ///< one of the cell, primitive
-  std::vector<PartSet> movable;   ///< see BlockingGraph::movable_sets: all others are unions of these
+  SphereDirection direction;     ///< one of the cell, primitive
+  std::vector<PartSet> movable;  ///< see BlockingGraph::movable_sets: all others are unions of these
 };
 
 /// What a search is about to cost.
 struct MotionEstimate {
-  std::size_t regions = 0;   ///< distinct ones
-  std::size_t arcs = 0;      ///< of their boundaries
-  double crossings = 0;      ///< expected, by trying some pairs of arcs
-  double seconds = 0;        ///< expected, on a machine of 2020
-  double bytes = 0;          ///< expected
+  std::size_t regions = 0;  ///< distinct ones
+  std::size_t arcs = 0;     ///< of their boundaries
+  double crossings = 0;     ///< expected, by trying some pairs of arcs
+  double seconds = 0;       ///< expected, on a machine of 2020
+  double bytes = 0;         ///< expected
 };
 
 struct PartitionOptions {

@@ -47,7 +47,8 @@ class UnionWalk {
     faces_.assign(cells_.faces.size(), false);
     edges_.assign(cells_.edges.size(), false);
     vertices_.assign(cells_.vertices.size(), false);
-    dcel::walk_faces(cells_, [&](dcel::HalfedgeId h) { cross(h); }, [&](dcel::FaceId f) { visit(f); });
+    dcel::walk_faces(
+        cells_, [&](dcel::HalfedgeId h) { cross(h); }, [&](dcel::FaceId f) { visit(f); });
     return {drawn_.arrangement, std::move(vertices_), std::move(edges_), std::move(faces_)};
   }
 

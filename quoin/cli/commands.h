@@ -22,6 +22,7 @@ int run_distance(const Options& options, const Context& context);
 int run_width(const Options& options, const Context& context);
 int run_gaussian_map(const Options& options, const Context& context);
 int run_polytope_sum(const Options& options, const Context& context);
+int run_assembly(const Options& options, const Context& context);
 int run_arrange(const Options& options, const Context& context);
 int run_arrange_on_sphere(const Options& options, const Context& context);
 int run_overlay(const Options& options, const Context& context);

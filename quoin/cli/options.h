@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -14,27 +15,34 @@ inline constexpr const char* standard_stream = "-";
 /// What all commands understand.
 struct Options {
   std::string command;
-  std::vector<std::string> inputs;   ///< files, or "-" for standard input; of `csg`: NAME=FILE
-  std::vector<std::string> outputs;  ///< files with a known ending, "-" for standard output
-  std::string format;                ///< of "-" among the outputs: an ending without its dot; empty: OFF
-  std::string expression;            ///< of `csg`
-  std::vector<std::string> points;   ///< of `classify`: "x,y,z"
-  std::vector<std::string> lines;    ///< of `classify`: "x,y,z,dx,dy,dz"
-  std::string points_file;           ///< of `classify`: a point per line, "-" for standard input
-  std::string translation;           ///< of `distance`: "x,y,z"
-  std::string plane;                 ///< of `section`: "a,b,c,d"
-  std::string operation;             ///< of `polygon`
-  std::string fill;                  ///< of `polygon`: how rings that cross are read; empty: they are refused
-  std::string distance;              ///< of `polygon offset`: a number; below zero: an inset
-  std::string precision;             ///< of `polygon offset`: how far the radius may be off; empty: 2^-20 of it
-  std::optional<double> flatten;     ///< chords instead of arcs, no further than this from them
-  bool plain = false;                ///< of `polygon`: edges and points without area stay
-  bool inner = false;                ///< of `polygon offset`: what lies within the exact offset is written
-  bool tight = false;                ///< of `polygon minkowski`: tight places too
-  bool reflect = false;              ///< of `polygon minkowski`: the second set turned by half a turn
-  bool labels = false;               ///< numbers in pictures
-  bool sphere = false;               ///< of `arrange`: curves on the sphere
-  bool upper = false;                ///< of `envelope`
+  std::vector<std::string> inputs;      ///< files, or "-" for standard input; of `csg`: NAME=FILE
+  std::vector<std::string> outputs;     ///< files with a known ending, "-" for standard output
+  std::string format;                   ///< of "-" among the outputs: an ending without its dot; empty: OFF
+  std::string expression;               ///< of `csg`
+  std::vector<std::string> points;      ///< of `classify`: "x,y,z"
+  std::vector<std::string> lines;       ///< of `classify`: "x,y,z,dx,dy,dz"
+  std::string points_file;              ///< of `classify`: a point per line, "-" for standard input
+  std::string translation;              ///< of `distance`: "x,y,z"
+  std::string plane;                    ///< of `section`: "a,b,c,d"
+  std::string operation;                ///< of `polygon`
+  std::string fill;                     ///< of `polygon`: how rings that cross are read; empty: they are refused
+  std::string distance;                 ///< of `polygon offset`: a number; below zero: an inset
+  std::string precision;                ///< of `polygon offset`: how far the radius may be off; empty: 2^-20 of it
+  std::optional<double> flatten;        ///< chords instead of arcs, no further than this from them
+  bool plain = false;                   ///< of `polygon`: edges and points without area stay
+  bool inner = false;                   ///< of `polygon offset`: what lies within the exact offset is written
+  bool tight = false;                   ///< of `polygon minkowski`: tight places too
+  bool reflect = false;                 ///< of `polygon minkowski`: the second set turned by half a turn
+  bool labels = false;                  ///< numbers in pictures
+  bool sphere = false;                  ///< of `arrange`: curves on the sphere
+  bool upper = false;                   ///< of `envelope`
+  std::vector<std::string> directions;  ///< of `assembly`: "x,y,z"
+  std::string base;                     ///< of `assembly`: the part that stays
+  std::size_t limit = 10'000;           ///< of `assembly`: solutions listed
+  bool sequence = false;                ///< of `assembly`
+  bool sequence_only = false;           ///< of `assembly`: without all solutions
+  bool infinitesimal = false;           ///< of `assembly`: only what can begin to move
+  bool one_part = false;                ///< of `assembly`: one part at a time
   bool json = false;
   bool quiet = false;
   bool verbose = false;
