@@ -36,9 +36,9 @@ std::strong_ordering order_of_lists(const std::vector<Item>& a, const std::vecto
 bool contains(const ConvexRegion& outer, const ConvexRegion& inner) {
   // A lune or hemisphere has no corners that tell what it spans.
   if (inner.corners.size() < 3) return false;
-  return std::ranges::all_of(outer.normals, [&](const SphereDirection& n) {
+  return std::ranges::all_of(outer.normals, [&](const RegionDirection& n) {
     return std::ranges::all_of(inner.corners,
-                               [&](const SphereDirection& corner) { return dot_sign(n, corner) != Sign::negative; });
+                               [&](const RegionDirection& corner) { return dot_sign(n, corner) != Sign::negative; });
   });
 }
 
@@ -57,9 +57,9 @@ std::vector<ConvexRegion> outermost(std::span<const ConvexRegion> regions) {
 BlockedRegion as_blocked(const ConvexRegion& region) {
   BlockedRegion result;
   const auto count = static_cast<std::uint32_t>(region.corners.size());
-  for (const SphereDirection& corner : region.corners) result.vertices.push_back({corner, false});
+  for (const RegionDirection& corner : region.corners) result.vertices.push_back({corner.exact(), false});
   for (std::uint32_t i = 0; i < region.normals.size(); ++i) {
-    result.arcs.push_back({region.normals[i], count == 0 ? BlockedRegion::Arc::no_vertex : i,
+    result.arcs.push_back({region.normals[i].exact(), count == 0 ? BlockedRegion::Arc::no_vertex : i,
                            count == 0 ? BlockedRegion::Arc::no_vertex : (i + 1) % count, false});
   }
   sort_region(result);

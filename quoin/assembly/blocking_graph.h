@@ -39,6 +39,14 @@ class BlockingGraph {
   /// these. Empty if and only if the graph is strongly connected. O(n^3 / 64).
   std::vector<PartSet> movable_sets(const PartSet& within) const;
 
+  /// Whether an arc leads from the part to another one of the set.
+  bool is_held(std::size_t part, const PartSet& within) const {
+    for (std::size_t w = 0; w < words_; ++w) {
+      if ((out_[part * words_ + w] & within.words()[w]) != 0) return true;
+    }
+    return false;
+  }
+
   /// All that the part leads to within the set, itself too.
   PartSet reachable(std::uint32_t from, const PartSet& within) const { return closure(out_, from, within); }
 

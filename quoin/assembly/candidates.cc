@@ -14,10 +14,15 @@ Integer size_of(const SphereDirection& d) {
   return abs(d.integer(0)) + abs(d.integer(1)) + abs(d.integer(2));
 }
 
-/// By the sum of magnitudes; of equal ones the greater components first, so that (0, 0, 1) comes before (0, 0, -1).
+/// By the sum of magnitudes; of equal ones the greater components first, z before y and x: upward before all others.
 bool is_simpler(const SphereDirection& a, const SphereDirection& b) {
   const std::strong_ordering by_size = size_of(a) <=> size_of(b);
-  return by_size != 0 ? by_size < 0 : compare(a, b) > 0;
+  if (by_size != 0) return by_size < 0;
+  for (const std::size_t axis : {2U, 1U, 0U}) {
+    const std::strong_ordering here = a.integer(axis) <=> b.integer(axis);
+    if (here != 0) return here > 0;
+  }
+  return false;
 }
 
 void sort_and_merge(std::vector<SphereDirection>& directions) {
@@ -27,7 +32,7 @@ void sort_and_merge(std::vector<SphereDirection>& directions) {
 
 }  // namespace
 
-BlockingGraph blocking_graph(const PairRegions& pairs, const SphereDirection& direction, const PartSet& within) {
+BlockingGraph blocking_graph(const PairRegions& pairs, const RegionDirection& direction, const PartSet& within) {
   BlockingGraph graph(pairs.part_count);
   for (const PartPair& pair : pairs.pairs) {
     if (!within.contains(pair.first) || !within.contains(pair.second)) continue;
@@ -39,10 +44,11 @@ BlockingGraph blocking_graph(const PairRegions& pairs, const SphereDirection& di
 
 Candidates candidates_in(const PairRegions& pairs, std::vector<SphereDirection> directions, const Context& context) {
   sort_and_merge(directions);
+  const PartSet everything = PartSet::all(pairs.part_count);
   Candidates result;
   for (SphereDirection& direction : directions) {
     context.poll();
-    BlockingGraph graph = blocking_graph(pairs, direction, PartSet::all(pairs.part_count));
+    BlockingGraph graph = blocking_graph(pairs, direction, everything);
     result.list.push_back({std::move(direction), std::move(graph)});
   }
   return result;
@@ -59,8 +65,8 @@ Candidates contact_candidates(const PairRegions& pairs, std::size_t most, const 
   }
   for (const PartPair& pair : pairs.pairs) {
     for (const ConvexRegion& region : pair.contacts) {
-      for (const SphereDirection& normal : region.normals) add(normal);
-      for (const SphereDirection& corner : region.corners) add(corner);
+      for (const RegionDirection& normal : region.normals) add(normal.exact());
+      for (const RegionDirection& corner : region.corners) add(corner.exact());
     }
     if (directions.size() > 16 * most) sort_and_merge(directions);
   }

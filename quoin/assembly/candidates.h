@@ -24,7 +24,7 @@ struct Candidates {
 };
 
 /// Who stops whom among some parts in one direction, by trying each pair. Exact, O(pieces of pairs).
-BlockingGraph blocking_graph(const PairRegions& pairs, const SphereDirection& direction, const PartSet& within);
+BlockingGraph blocking_graph(const PairRegions& pairs, const RegionDirection& direction, const PartSet& within);
 
 /// By trying each pair. O(directions * pieces of pairs). @throws Cancelled
 Candidates candidates_in(const PairRegions& pairs, std::vector<SphereDirection> directions, const Context& context);

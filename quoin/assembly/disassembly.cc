@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "quoin/assembly/candidates.h"
+#include "quoin/assembly/move_list.h"
 #include "quoin/base/error.h"
 
 namespace quoin {
@@ -14,6 +15,8 @@ namespace {
 
 constexpr std::size_t most_vertex_graphs = 20'000;
 constexpr std::size_t most_contact_directions = 512;
+/// Graphs of a subassembly whose larger sets are looked at once there are moves enough to choose from.
+constexpr std::size_t most_graphs_tried = 64;
 
 /// The pairs of some parts, numbered anew in ascending order.
 PairRegions pairs_within(const PairRegions& all, const std::vector<std::uint32_t>& parts) {
@@ -93,7 +96,6 @@ class Disassembler {
     bool has_all = true;
     std::vector<DisassemblyMove> moves = moves_among(candidates_, parts, has_all);
     if (moves.empty() && !candidates_.are_all) moves = moves_in_motion_space(parts, has_all);
-    std::ranges::stable_sort(moves, {}, [](const DisassemblyMove& move) { return move.moving.count(); });
     for (DisassemblyMove& move : moves) {
       move.moved = add_state(move.moving);
       move.rest = add_state(parts.without(move.moving));
@@ -108,32 +110,33 @@ class Disassembler {
     if (options_.base && moving.contains(*options_.base)) return false;
     return !options_.one_part_at_a_time || moving.count() == 1;
   }
-  /// Moves of one set, or of it and what remains, count once.
+  /// Single parts first, which are quickly found; larger sets only while there is room for alternatives.
   std::vector<DisassemblyMove> moves_among(const Candidates& candidates, const PartSet& parts, bool& has_all) const {
-    std::vector<DisassemblyMove> moves;
-    std::map<PartSet, std::size_t> place;
+    MoveList moves(parts, options_.max_alternatives);
     for (const Candidate& candidate : candidates.list) {
       context_.poll();
-      for (PartSet& moving : candidate.graph.movable_sets(parts)) {
-        if (!is_allowed(moving)) continue;
-        const PartSet rest = parts.without(moving);
-        const auto known = place.find(rest);
-        if (known != place.end() && moving.count() < rest.count()) {
-          moves[known->second].moving = moving;
-          moves[known->second].direction = candidate.direction;
-          place.emplace(moving, known->second);
-          place.erase(known);
-          continue;
-        }
-        if (known != place.end() || !place.emplace(moving, moves.size()).second) continue;
-        if (moves.size() == options_.max_alternatives) {
-          has_all = false;
-          return moves;
-        }
-        moves.push_back({std::move(moving), candidate.direction});
+      for (const std::uint32_t part : parts.members()) {
+        if (candidate.graph.is_held(part, parts)) continue;
+        PartSet moving(pairs_.part_count);
+        moving.insert(part);
+        if (is_allowed(moving)) moves.add(std::move(moving), candidate.direction);
       }
     }
-    return moves;
+    std::size_t tried = 0;
+    for (const Candidate& candidate : candidates.list) {
+      if (options_.one_part_at_a_time) break;
+      if (moves.is_full() || (tried >= most_graphs_tried && !moves.is_empty())) {
+        has_all = false;
+        break;
+      }
+      context_.poll();
+      std::vector<PartSet> sets = candidate.graph.movable_sets(parts);
+      if (!sets.empty()) ++tried;
+      for (PartSet& moving : sets) {
+        if (is_allowed(moving)) moves.add(std::move(moving), candidate.direction);
+      }
+    }
+    return moves.take(has_all);
   }
   std::vector<DisassemblyMove> moves_in_motion_space(const PartSet& parts, bool& has_all) const {
     const std::vector<std::uint32_t> members = parts.members();
@@ -143,25 +146,17 @@ class Disassembler {
     if (options_.announce) options_.announce(estimate(groups));
     const MotionSpace space(members.size(), groups, context_);
     const PartSet everything = PartSet::all(members.size());
-    std::map<PartSet, DisassemblyMove> moves;
+    MoveList moves(parts, options_.max_alternatives);
     space.walk(
         [&](MotionCell cell, const BlockingGraph& graph) {
-          if (graph.is_strongly_connected(everything)) return;
           for (const PartSet& movable : graph.movable_sets(everything)) {
             PartSet moving(pairs_.part_count);
             for (const std::uint32_t member : movable.members()) moving.insert(members[member]);
-            if (!is_allowed(moving) || moves.contains(moving)) continue;
-            if (moves.size() == options_.max_alternatives) {
-              has_all = false;
-              continue;
-            }
-            moves.emplace(moving, DisassemblyMove{moving, space.direction_in(cell)});
+            if (is_allowed(moving) && moves.has_room_for(moving)) moves.add(moving, space.direction_in(cell));
           }
         },
         context_);
-    std::vector<DisassemblyMove> result;
-    for (auto& [moving, move] : moves) result.push_back(std::move(move));
-    return result;
+    return moves.take(has_all);
   }
 
   const PairRegions& pairs_;

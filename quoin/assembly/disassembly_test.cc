@@ -122,7 +122,7 @@ TEST(Disassembly, EndsAtTheSamePartsWhicheverWay) {
   int interlocked = 0;
   for (int round = 0; round < test_rounds(12); ++round) {
     SCOPED_TRACE(round);
-    const std::vector<Pieces> parts = dealt_tetrahedra(random, 2, 4);
+    const std::vector<Pieces> parts = dealt_tetrahedra(random, 3, 3);
     const auto ends_of = [&](bool with_space) {
       const Disassembly found = taken_apart(parts, {}, with_space);
       expect_moves_are_free(found, parts);

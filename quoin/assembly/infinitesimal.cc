@@ -6,7 +6,7 @@
 namespace quoin {
 
 std::vector<std::array<std::uint32_t, 2>> stops_of(const PairRegions& pairs, const PartSet& moving,
-                                                   const PartSet& within, const SphereDirection& direction) {
+                                                   const PartSet& within, const RegionDirection& direction) {
   std::vector<std::array<std::uint32_t, 2>> stops;
   const std::vector<std::uint32_t> others = within.without(moving).members();
   for (const std::uint32_t part : moving.members()) {

@@ -30,6 +30,6 @@ InfinitesimalFreedom infinitesimal_freedom(const PairRegions& pairs, PartitionOp
 
 /// What stops the set from leaving the others of `within` in a direction. O(pairs).
 std::vector<std::array<std::uint32_t, 2>> stops_of(const PairRegions& pairs, const PartSet& moving,
-                                                   const PartSet& within, const SphereDirection& direction);
+                                                   const PartSet& within, const RegionDirection& direction);
 
 }  // namespace quoin

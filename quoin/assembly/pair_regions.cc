@@ -67,10 +67,10 @@ std::size_t number_of(BlockedRegion region, RegionNumbers& numbers, std::vector<
 
 }  // namespace
 
-bool PairRegions::is_blocked(std::uint32_t moving, std::uint32_t other, const SphereDirection& direction) const {
+bool PairRegions::is_blocked(std::uint32_t moving, std::uint32_t other, const RegionDirection& direction) const {
   const bool is_first = moving < other;
-  const SphereDirection relative = is_first ? direction : -direction;
   const PartPair& both = is_first ? pair(moving, other) : pair(other, moving);
+  const RegionDirection relative = is_first ? direction : -direction;
   return std::ranges::any_of(both.pieces, [&](const ConvexRegion& region) { return region.contains(relative); });
 }
 

@@ -52,7 +52,7 @@ struct PairRegions {
     return pairs[std::size_t{i} * (2 * part_count - i - 1) / 2 + (j - i - 1)];
   }
   /// Whether the part `moving` on its own would meet the other one on the way to infinity in this direction. Exact.
-  bool is_blocked(std::uint32_t moving, std::uint32_t other, const SphereDirection& direction) const;
+  bool is_blocked(std::uint32_t moving, std::uint32_t other, const RegionDirection& direction) const;
 };
 
 /// Two parts with common interior points.

@@ -44,17 +44,16 @@ class Projector {
     const EdgeVector v = vector_of(vertex);
     return v.from.x == v.to.x && v.from.y == v.to.y && v.from.z == v.to.z;
   }
-  SphereDirection direction_of(std::uint32_t vertex) const {
+  RegionDirection direction_of(std::uint32_t vertex) const {
     const EdgeVector v = vector_of(vertex);
     const Vector3 difference = rounded(v);
     bool is_exact = true;
     for (unsigned axis = 0; axis < 3; ++axis) {
       is_exact = is_exact && two_difference(v.to[axis], v.from[axis]).tail == 0;
     }
-    if (is_exact) return SphereDirection(difference).primitive();
+    if (is_exact) return SphereDirection(difference);
     return SphereDirection(std::array{Rational(v.to.x) - Rational(v.from.x), Rational(v.to.y) - Rational(v.from.y),
-                                      Rational(v.to.z) - Rational(v.from.z)})
-        .primitive();
+                                      Rational(v.to.z) - Rational(v.from.z)});
   }
   /// Of det(a, b, c), positive where the origin is on the inner side of the plane of a, b, c.
   Sign determinant_of(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
@@ -81,8 +80,8 @@ class Projector {
     return {{inward(direction_of(corners[0]), direction_of(corners[1]))}, {}};
   }
   /// The inward normal of a facet whose plane contains the origin, from two of its points in counterclockwise order.
-  static SphereDirection inward(const SphereDirection& first, const SphereDirection& second) {
-    return cross(second, first).primitive();
+  static RegionDirection inward(const RegionDirection& first, const RegionDirection& second) {
+    return cross(second, first);
   }
 
   /// The origin is inside the edge that the two facets share: each gives the half circle from the edge's tail to its
@@ -160,7 +159,7 @@ class Projector {
     ConvexRegion region;
     for (const std::uint32_t v : ring) region.corners.push_back(direction_of(v));
     for (std::size_t i = 0; i < ring.size(); ++i) {
-      region.normals.push_back(cross(region.corners[i], region.corners[(i + 1) % ring.size()]).primitive());
+      region.normals.push_back(cross(region.corners[i], region.corners[(i + 1) % ring.size()]));
     }
     return region;
   }
@@ -175,31 +174,13 @@ class Projector {
 
 }  // namespace
 
-bool ConvexRegion::contains(const SphereDirection& direction) const {
+bool ConvexRegion::contains(const RegionDirection& direction) const {
   return std::ranges::all_of(normals,
-                             [&](const SphereDirection& n) { return dot_sign(n, direction) == Sign::positive; });
-}
-
-bool operator==(const ConvexRegion& a, const ConvexRegion& b) {
-  return std::ranges::equal(a.normals, b.normals, are_equal) && std::ranges::equal(a.corners, b.corners, are_equal);
+                             [&](const RegionDirection& n) { return dot_sign(n, direction) == Sign::positive; });
 }
 
 Projection project(const PolytopeSum& sum, const Polytope& p, const Polytope& q) {
   return Projector(sum, p, q).run();
-}
-
-std::strong_ordering compare(const SphereDirection& a, const SphereDirection& b) {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (a.is_small() && b.is_small()) {
-      if (a.small(axis) != b.small(axis)) {
-        return a.small(axis) < b.small(axis) ? std::strong_ordering::less : std::strong_ordering::greater;
-      }
-      continue;
-    }
-    const std::strong_ordering order = a.integer(axis) <=> b.integer(axis);
-    if (order != std::strong_ordering::equal) return order;
-  }
-  return std::strong_ordering::equal;
 }
 
 }  // namespace quoin

@@ -4,8 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "quoin/arrangement/geodesic/sphere_direction.h"
-#include "quoin/kernel/point.h"
+#include "quoin/assembly/region_direction.h"
 #include "quoin/polytope/minkowski_sum.h"
 #include "quoin/polytope/polytope.h"
 
@@ -17,14 +16,14 @@ enum class OriginPlace : std::uint8_t { inside, facet, edge, vertex, separated }
 /// An open, convex set of directions: those with a positive scalar product with each of some normals. At least a
 /// hemisphere is missing from it.
 struct ConvexRegion {
-  /// Primitive, inward. Arc i of the boundary runs counterclockwise about normal i, the region on its left.
-  std::vector<SphereDirection> normals;
-  /// Primitive. Arc i runs from corner i to the next one; without corners it is a whole great circle. Two corners are
+  /// Inward. Arc i of the boundary runs counterclockwise about normal i, the region on its left.
+  std::vector<RegionDirection> normals;
+  /// Arc i runs from corner i to the next one; without corners it is a whole great circle. Two corners are
   /// opposite to one another, and the region is a lune; with more, arcs are shorter than half a circle.
-  std::vector<SphereDirection> corners;
+  std::vector<RegionDirection> corners;
 
-  bool contains(const SphereDirection& direction) const;
-  friend bool operator==(const ConvexRegion& a, const ConvexRegion& b);
+  bool contains(const RegionDirection& direction) const;
+  friend bool operator==(const ConvexRegion&, const ConvexRegion&) = default;
 };
 
 /// The directions in which rays from the origin enter the interior of a polytope.
@@ -41,11 +40,5 @@ struct Projection {
 /// plane through the origin holds, there is one arc. O(size log size) for the size of the sum.
 /// Source: Fogel 2009, section 5.3.5, which leaves out edges and vertices.
 Projection project(const PolytopeSum& sum, const Polytope& p, const Polytope& q);
-
-/// Integers without a common factor, so that equal directions have equal ones.
-std::strong_ordering compare(const SphereDirection& a, const SphereDirection& b);
-inline bool are_equal(const SphereDirection& a, const SphereDirection& b) {
-  return compare(a, b) == std::strong_ordering::equal;
-}
 
 }  // namespace quoin

@@ -24,9 +24,10 @@ Drawn draw(std::span<const ConvexRegion> regions, const Context& context) {
     const ConvexRegion& region = regions[r];
     for (std::size_t i = 0; i < region.normals.size(); ++i) {
       if (region.corners.empty()) {
-        family.add_great_circle(list, region.normals[i]);
+        family.add_great_circle(list, region.normals[i].exact());
       } else {
-        family.add_arc(list, region.corners[i], region.corners[(i + 1) % region.corners.size()], region.normals[i]);
+        family.add_arc(list, region.corners[i].exact(), region.corners[(i + 1) % region.corners.size()].exact(),
+                       region.normals[i].exact());
       }
       drawn.region_of_curve.push_back(r);
     }
