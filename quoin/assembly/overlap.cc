@@ -6,7 +6,6 @@
 #include "quoin/polytope/convex_boundary.h"
 #include "quoin/polytope/hull.h"
 #include "quoin/solid/measure.h"
-#include "quoin/solid/solid.h"
 
 namespace quoin {
 
@@ -19,13 +18,13 @@ Solid solid_of(const Polytope& piece, const Context& context) {
   return Solid::of_leaf(make_leaf(boundary, "piece", {}, context).leaf);
 }
 
+}  // namespace
+
 Solid solid_of(const AssemblyPart& part, const Context& context) {
   std::vector<Solid> pieces;
   for (const Polytope& piece : part.pieces) pieces.push_back(solid_of(piece, context));
   return unite(pieces, context);
 }
-
-}  // namespace
 
 Rational common_volume(const AssemblyPart& a, const AssemblyPart& b, const Context& context) {
   const Solid common = intersect(std::array{solid_of(a, context), solid_of(b, context)}, context);

@@ -7,8 +7,12 @@
 
 #include "quoin/assembly/pair_regions.h"
 #include "quoin/number/rational.h"
+#include "quoin/solid/solid.h"
 
 namespace quoin {
+
+/// A part as one solid, the union of its pieces. @throws Cancelled
+Solid solid_of(const AssemblyPart& part, const Context& context);
 
 /// The volume that two parts have in common, exact. Costs a Boolean of their pieces. @throws Cancelled
 Rational common_volume(const AssemblyPart& a, const AssemblyPart& b, const Context& context);

@@ -20,10 +20,12 @@ Partition partition(const MotionSpace& space, const PartitionOptions& options, P
         if (everything.words().empty()) everything = PartSet::all(graph.part_count());
         if (graph.is_strongly_connected(everything)) return;
         ++result.solution_cells;
+        if (!result.has_all) return;
         std::vector<PartSet> movable = graph.movable_sets(everything);
-        const bool is_kept = result.solution_count + movable.size() <= options.max_solutions;
+        result.has_all = result.solution_count + movable.size() <= options.max_solutions;
+        if (!result.has_all) return;
         result.solution_count += movable.size();
-        if (is_kept) result.solutions.push_back({cell, space.direction_in(cell), std::move(movable)});
+        result.solutions.push_back({cell, space.direction_in(cell), std::move(movable)});
       },
       context);
   std::ranges::sort(result.solutions, [](const Solution& a, const Solution& b) {

@@ -31,7 +31,7 @@ struct MotionEstimate {
 
 struct PartitionOptions {
   MotionKind kind = MotionKind::infinite;
-  /// Solutions kept; those beyond are counted only.
+  /// Movable sets kept, of whole cells; of cells beyond only the number is found.
   std::size_t max_solutions = 100'000;
   /// Called before the overlay of all regions, which may be large; may throw to stop.
   std::function<void(const MotionEstimate&)> announce{};
@@ -41,7 +41,8 @@ struct PartitionOptions {
 struct Partition {
   MotionCounts cells;
   std::size_t solution_cells = 0;   ///< cells with solutions
-  std::size_t solution_count = 0;   ///< their movable sets, all together
+  std::size_t solution_count = 0;   ///< movable sets of those kept
+  bool has_all = true;              ///< none was left out
   std::vector<Solution> solutions;  ///< vertices first, then edges, then faces, by number; see max_solutions
   bool is_interlocked() const { return solution_cells == 0; }
 };

@@ -92,8 +92,8 @@ int run_assembly(const Options& options, const Context& context) {
   for (const std::string& text : options.directions) direction_of(text);
   const std::vector<AssemblyPart> parts = read_parts(options, warnings, context);
   const AssemblyPlan plan = analyse_assembly(parts, question_of(options, parts), context);
-  if (plan.partition && plan.partition->solution_count > options.limit) {
-    warnings.push_back("only the first solutions are listed, of " + std::to_string(plan.partition->solution_count) +
+  if (plan.partition && !plan.partition->has_all) {
+    warnings.push_back("not all solutions are listed, only " + std::to_string(plan.partition->solution_count) +
                        "; --limit sets how many");
   }
   Json report = assembly_report(parts, plan);

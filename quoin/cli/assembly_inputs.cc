@@ -8,6 +8,7 @@
 #include <set>
 
 #include "quoin/assembly/convex_pieces.h"
+#include "quoin/assembly/stopwatch.h"
 #include "quoin/base/error.h"
 #include "quoin/cli/inputs.h"
 #include "quoin/io/mesh_objects.h"
@@ -76,12 +77,24 @@ std::string part_name(const std::string& file) {
   return file == standard_stream ? "standard input" : std::filesystem::path(file).stem().string();
 }
 
-/// Welding made of one vertex what groups share; an object is then cut out of the whole.
+/// The time that pieces take is that of their maps.
+template <class MakePieces>
+void add_part(const std::string& name, const MakePieces& make, std::vector<AssemblyPart>& parts,
+              const Context& context) {
+  Stopwatch watch;
+  Pieces pieces = make();
+  const double seconds = watch.lap();
+  parts.push_back(make_part(name, std::move(pieces), context));
+  parts.back().map_seconds = seconds;
+}
+
 void add_objects(std::vector<MeshObject> objects, const std::string& file, std::vector<AssemblyPart>& parts,
                  const Context& context) {
   for (const MeshObject& object : objects) {
     const std::string name = object.name.empty() ? part_name(file) : object.name;
-    parts.push_back(make_part(name, pieces_of(object, shown(file) + ": object '" + name + "'", context), context));
+    const std::string what = shown(file) + ": object '" + name + "'";
+    add_part(
+        name, [&] { return pieces_of(object, what, context); }, parts, context);
   }
 }
 
@@ -107,8 +120,9 @@ std::vector<AssemblyPart> read_parts(const Options& options, std::vector<std::st
       add_objects(std::move(*objects), file, parts, context);
       continue;
     }
-    Pieces pieces = pieces_of(read_input(file, options, warnings, context), shown(file), context);
-    parts.push_back(make_part(part_name(file), std::move(pieces), context));
+    const Input input = read_input(file, options, warnings, context);
+    add_part(
+        part_name(file), [&] { return pieces_of(input, shown(file), context); }, parts, context);
   }
   return parts;
 }

@@ -8,10 +8,13 @@
 #include <utility>
 
 #include "quoin/assembly/candidates.h"
+#include "quoin/assembly/overlap.h"
 #include "quoin/base/error.h"
 #include "quoin/cli/assembly_report.h"
 #include "quoin/cli/planar.h"
+#include "quoin/cli/scene_of_solid.h"
 #include "quoin/cli/streams.h"
+#include "quoin/solid/exit.h"
 #include "quoin/view/plan_page.h"
 #include "quoin/view/sphere_arrangement_picture.h"
 
@@ -23,25 +26,14 @@ using Parts = std::span<const AssemblyPart>;
 
 /// Beyond that many cells of a motion space nobody finds one in a picture.
 constexpr std::size_t most_cells_shown = 20'000;
+/// Of cells with solutions.
+constexpr Color solution_color{46, 157, 91, 255};
 
-PlanPart drawn(const AssemblyPart& part) {
-  PlanPart result;
-  result.name = part.name;
-  for (const Polytope& piece : part.pieces) {
-    const auto first = static_cast<std::uint32_t>(result.vertices.size());
-    for (std::uint32_t v = 0; v < piece.vertex_count(); ++v) result.vertices.push_back(piece.vertex(v));
-    for (const Polytope::Halfedge& h : piece.halfedges()) {
-      if (h.tail < h.head) result.edges.push_back({first + h.tail, first + h.head});
-    }
-    for (std::uint32_t f = 0; f < piece.facet_count(); ++f) {
-      const Polytope::Halfedge& start = piece.halfedges()[piece.first_halfedge(f)];
-      for (std::uint32_t at = start.next; piece.halfedges()[at].head != start.tail; at = piece.halfedges()[at].next) {
-        const Polytope::Halfedge& h = piece.halfedges()[at];
-        result.triangles.push_back({first + start.tail, first + h.tail, first + h.head});
-      }
-    }
-  }
-  return result;
+PlanPart drawn(const AssemblyPart& part, const Context& context) {
+  const Solid solid = solid_of(part, context);
+  const Triangulated triangles = triangulate(solid.boundary(), {}, context);
+  ViewPart shown = std::move(scene_of_solid(solid.boundary(), triangles, part.name, context).parts[0]);
+  return {part.name, std::move(shown.vertices), std::move(shown.triangles), std::move(shown.edges)};
 }
 
 Vector3 unit_vector(const SphereDirection& direction) {
@@ -132,7 +124,7 @@ CellLook look_of(const PlanGraph& graph, const std::string& name, Parts parts) {
     look.text.facts.emplace_back("Can move", "nothing");
     return look;
   }
-  look.fill.category = 0;
+  look.fill.color = solution_color;
   look.style = EdgeStyle::strong;
   std::string sets;
   for (std::size_t k = 0; k < graph.movable.size() && k < 6; ++k) {
@@ -162,7 +154,6 @@ void add_sphere(Parts parts, const MotionSpace& space, const CellGraphs& numbers
   };
   how.curve_name = [](CurveId) { return std::string(); };
   picture.sphere = sphere_picture_of(space.arrangement(), how);
-  picture.sphere.categories = {"some parts can move"};
   std::vector<SpherePoint> points;
   std::size_t at = 0;
   for (std::size_t v = 0; v < cells.vertices.size(); ++v) {
@@ -208,7 +199,7 @@ void write_assembly_page(Parts parts, const AssemblyPlan& plan, const Target& ta
                          const Context& context) {
   PlanPicture picture;
   picture.title = planar_title(options);
-  for (const AssemblyPart& part : parts) picture.parts.push_back(drawn(part));
+  for (const AssemblyPart& part : parts) picture.parts.push_back(drawn(part, context));
   Graphs graphs(picture.graphs);
   if (plan.disassembly) add_sequence(plan, graphs, picture);
   add_facts(plan, picture);

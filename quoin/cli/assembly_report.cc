@@ -58,6 +58,7 @@ void add_counts(const Partition& partition, Json& to) {
       {"vertices", partition.cells.vertices}, {"edges", partition.cells.edges}, {"faces", partition.cells.faces}};
   to["solution_cells"] = partition.solution_cells;
   to["solution_count"] = partition.solution_count;
+  to["all_listed"] = partition.has_all;
 }
 
 Json describe(const InfinitesimalFreedom& freedom, Parts parts) {
@@ -148,7 +149,8 @@ std::string text_of(const Partition& partition, Parts parts) {
                      counted(partition.cells.edges, "edge", "edges") + ", " +
                      counted(partition.cells.faces, "face", "faces") + "\n";
   if (partition.is_interlocked()) return text + "interlocked: no set of parts can move away from the others\n";
-  text += counted(partition.solution_count, "solution", "solutions") + " in " +
+  text += std::string(partition.has_all ? "" : "more than ") +
+          counted(partition.solution_count, "solution", "solutions") + " in " +
           counted(partition.solution_cells, "cell", "cells") + "\n";
   std::size_t lines = 0;
   for (const Solution& solution : partition.solutions) {
@@ -158,8 +160,7 @@ std::string text_of(const Partition& partition, Parts parts) {
               list_of(moving, parts) + "\n";
     }
   }
-  if (partition.solution_count > most_lines)
-    text += "  and " + std::to_string(partition.solution_count - most_lines) + " more (see --json)\n";
+  if (lines > most_lines) text += "  and " + std::to_string(lines - most_lines) + " more (see --json)\n";
   return text;
 }
 

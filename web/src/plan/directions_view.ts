@@ -21,7 +21,7 @@ export class DirectionsView {
   private readonly controls: OrbitControls;
   private readonly globe: Globe;
   private readonly sets: { edges: number[]; paths: Float32Array[]; lines: Lines }[];
-  private readonly dots: Dots;
+  private readonly marked: { points: number[]; dots: Dots }[];
   private readonly litLines = new Lines(6, [], 1.0028);
   private readonly litDots = new Dots(new Float32Array(0), 17);
   private readonly picker: SpherePicker;
@@ -45,9 +45,14 @@ export class DirectionsView {
       const paths = edges.map((edge) => geometry.paths[edge]);
       return { edges, paths, lines: new Lines(isStrong ? 3.4 : 1.4, paths) };
     });
-    this.dots = new Dots(geometry.points, 9);
+    // Points with solutions have a colour of their own.
+    this.marked = [false, true].map((isSolution) => {
+      const points = data.cells.point.flatMap((cell, i) => (cell.color >= 0 === isSolution ? [i] : []));
+      const at = new Float32Array(points.flatMap((i) => [...geometry.points.slice(3 * i, 3 * i + 3)]));
+      return { points, dots: new Dots(at, isSolution ? 13 : 6) };
+    });
     this.scene.add(this.globe.back, this.globe.front);
-    const marks = [...this.sets.map(({ lines }) => lines.mesh), this.litLines.mesh, this.dots.mesh, this.litDots.mesh];
+    const marks = [...this.sets.map(({ lines }) => lines.mesh), this.litLines.mesh, ...this.marked.map(({ dots }) => dots.mesh), this.litDots.mesh];
     marks.forEach((mesh, i) => {
       mesh.renderOrder = 3 + i;
       this.scene.add(mesh);
@@ -107,7 +112,8 @@ export class DirectionsView {
     this.globe.setColors([...cells.face.map(fill), paper]);
     this.globe.setTheme(color(style.getPropertyValue("--accent")), color(isDark ? "#0d1014" : "#5d6875"));
     for (const { edges, paths, lines } of this.sets) lines.setColors(paths, edges.map((edge) => line(cells.edge[edge])));
-    this.dots.setColors(cells.point.map(line), color(isDark ? "#1b1f25" : "#fbfbfc"));
+    const halo = color(isDark ? "#1b1f25" : "#fbfbfc");
+    for (const { points, dots } of this.marked) dots.setColors(points.map((i) => line(cells.point[i])), halo);
     this.colorLit();
     this.invalidate();
   }
@@ -150,7 +156,7 @@ export class DirectionsView {
     const ratio = Math.min(2, devicePixelRatio);
     this.renderer.setPixelRatio(ratio);
     this.renderer.setSize(size, size);
-    for (const dots of [this.dots, this.litDots]) dots.setPixelRatio(ratio);
+    for (const dots of [...this.marked.map((set) => set.dots), this.litDots]) dots.setPixelRatio(ratio);
     this.invalidate();
   }
 }

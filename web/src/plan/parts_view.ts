@@ -42,7 +42,7 @@ export class PartsView {
     sun.position.set(2, -3, 4);
     this.scene.add(sun);
     this.camera.up.set(0, 0, 1);
-    this.camera.position.set(3.1, -4.6, 3);
+    this.camera.position.set(3.4, -5.1, 3.3);
     this.controls = new OrbitControls(this.camera, this.renderer.domElement);
     this.controls.addEventListener("change", () => this.invalidate());
     new ResizeObserver(() => this.resize()).observe(this.element);

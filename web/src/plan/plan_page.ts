@@ -12,7 +12,7 @@ import { PartsView } from "./parts_view";
 
 const secondsPerStep = 1.5;
 const mostListed = 40;
-const awayFactor = 1.25; // of the assembly's size
+const awayFactor = 0.9; // of the assembly's size
 
 export interface SpherePart {
   header: SphereHeader;
