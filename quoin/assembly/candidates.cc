@@ -83,8 +83,8 @@ Candidates vertex_candidates(const MotionSpace& space, std::size_t most, const C
   const bool has_vertices = space.counts().vertices > 0;
   space.walk(
       [&](MotionCell cell, const BlockingGraph& graph) {
-        if (are_too_many || (has_vertices && cell.kind == CellKind::face)) return;
-        if (cell.kind == CellKind::edge && has_vertices) {
+        if (are_too_many || (has_vertices && cell.kind == MotionCell::Kind::face)) return;
+        if (cell.kind == MotionCell::Kind::edge && has_vertices) {
           // Only circles without a vertex add something.
           const dcel::HalfedgeId h(dcel::EdgeId(std::size_t{cell.id}), false);
           if (!space.is_cut(cells.origin(h)) || !space.is_cut(cells.target(h))) return;

@@ -93,11 +93,11 @@ constexpr std::array steps_tried{1.0, 2.0, 4.0, 16.0, 256.0, 65536.0, 0x1p40};
 
 SphereDirection MotionSpace::direction_in(MotionCell cell) const {
   switch (cell.kind) {
-    case CellKind::vertex:
+    case MotionCell::Kind::vertex:
       return SphereDirection(arrangement_.family().direction(arrangement_.point(dcel::VertexId(std::size_t{cell.id}))));
-    case CellKind::edge:
+    case MotionCell::Kind::edge:
       return direction_in_edge(dcel::EdgeId(std::size_t{cell.id})).primitive();
-    case CellKind::face:
+    case MotionCell::Kind::face:
       break;
   }
   return direction_in_face(dcel::FaceId(std::size_t{cell.id})).primitive();

@@ -14,11 +14,10 @@
 
 namespace quoin {
 
-enum class CellKind : std::uint8_t { vertex, edge, face };
-
 /// A cell of a motion space. Edges that the identification or a pole alone cuts are one cell, named by one of them.
 struct MotionCell {
-  CellKind kind = CellKind::face;
+  enum class Kind : std::uint8_t { vertex, edge, face };
+  Kind kind = Kind::face;
   std::uint32_t id = 0;
   friend bool operator==(const MotionCell&, const MotionCell&) = default;
 };

@@ -45,7 +45,7 @@ void expect_cells_agree_with_rays(const std::vector<Pieces>& parts, Random& rand
         graphs.insert(graph.rows());
         const SphereDirection d = made.space.direction_in(cell);
         ASSERT_TRUE(d.is_valid());
-        if (cells % 3 != 0 && cell.kind != CellKind::vertex) return;
+        if (cells % 3 != 0 && cell.kind != MotionCell::Kind::vertex) return;
         ASSERT_EQ(graph.rows(), graph_by_rays(parts, d).rows())
             << int(cell.kind) << " " << cell.id << ": " << text_of(d);
       },
@@ -85,17 +85,17 @@ TEST(MotionSpace, OfTheSplitStar) {
     EXPECT_EQ(counts.vertices, 14U);
     EXPECT_EQ(counts.edges, 36U);
     EXPECT_EQ(counts.faces, 24U);
-    std::map<std::pair<CellKind, std::size_t>, int> arcs;
+    std::map<std::pair<MotionCell::Kind, std::size_t>, int> arcs;
     made.space.walk(
         [&](MotionCell cell, const BlockingGraph& graph) {
           ++arcs[{cell.kind, graph.arc_count()}];
         },
         one_thread);
-    const std::map<std::pair<CellKind, std::size_t>, int> expected{{{CellKind::vertex, 12}, 8},
-                                                                   {{CellKind::vertex, 13}, 6},
-                                                                   {{CellKind::edge, 17}, 36},
-                                                                   {{CellKind::face, 17}, 12},
-                                                                   {{CellKind::face, 22}, 12}};
+    const std::map<std::pair<MotionCell::Kind, std::size_t>, int> expected{{{MotionCell::Kind::vertex, 12}, 8},
+                                                                           {{MotionCell::Kind::vertex, 13}, 6},
+                                                                           {{MotionCell::Kind::edge, 17}, 36},
+                                                                           {{MotionCell::Kind::face, 17}, 12},
+                                                                           {{MotionCell::Kind::face, 22}, 12}};
     EXPECT_EQ(arcs, expected);
   }
 }
@@ -131,7 +131,7 @@ TEST(MotionSpace, OfOnePartIsTheWholeSphere) {
   const MotionCounts counts = made.space.counts();
   EXPECT_EQ(counts.vertices + counts.edges, 0U);
   EXPECT_EQ(counts.faces, 1U);
-  EXPECT_TRUE(made.space.direction_in({CellKind::face, 0}).is_valid());
+  EXPECT_TRUE(made.space.direction_in({MotionCell::Kind::face, 0}).is_valid());
 }
 
 TEST(MotionSpace, EqualRegionsAreDrawnOnce) {

@@ -82,7 +82,7 @@ class MotionWalk {
     if (++visited_ % cells_between_polls == 0) {
       context_.progress("directions", static_cast<double>(visited_) / static_cast<double>(cells_.faces.size()));
     }
-    visit_({CellKind::face, f.value}, graph_);
+    visit_({MotionCell::Kind::face, f.value}, graph_);
     for (dcel::BoundaryId b = cells_[f].first_boundary; !b.is_none(); b = cells_[b].next) {
       const dcel::HalfedgeId first = cells_[b].halfedge;
       dcel::HalfedgeId h = first;
@@ -99,7 +99,7 @@ class MotionWalk {
     if (is_edge_done_[cell.index()]) return;
     is_edge_done_[cell.index()] = true;
     for (const CurveUse use : space_.arrangement_.curves(e)) step_to(source_of(use).group, false);
-    visit_({CellKind::edge, cell.value}, graph_);
+    visit_({MotionCell::Kind::edge, cell.value}, graph_);
     step_back();
   }
   void visit_vertex(dcel::VertexId v) {
@@ -116,7 +116,7 @@ class MotionWalk {
     for (std::uint32_t c = space_.first_coincidence_[v.index()]; c < space_.first_coincidence_[v.index() + 1]; ++c) {
       step_to(space_.coincidences_[c].group, space_.coincidences_[c].is_blocked);
     }
-    visit_({CellKind::vertex, v.value}, graph_);
+    visit_({MotionCell::Kind::vertex, v.value}, graph_);
     step_back();
   }
   void step_to(std::uint32_t group, bool is_in) {

@@ -47,7 +47,7 @@ TEST(Partition, OfTheSplitStarIsTable51) {
     const AssemblyPlan plan = plan_of(split_star_pieces(pieces));
     EXPECT_EQ(plan.pairs.counts.total(), 30U * static_cast<unsigned>(pieces * pieces));
     EXPECT_EQ(sets_by_direction(*plan.partition), table_5_1);
-    for (const Solution& solution : plan.partition->solutions) EXPECT_EQ(solution.cell.kind, CellKind::vertex);
+    for (const Solution& solution : plan.partition->solutions) EXPECT_EQ(solution.cell.kind, MotionCell::Kind::vertex);
     EXPECT_EQ(plan.partition->solution_count, 8U);
   }
 }
@@ -120,7 +120,7 @@ TEST(Partition, OfAPegInAHole) {
   // The block leaves the peg the opposite way.
   ASSERT_EQ(blind.solutions.size(), 2U);
   for (const Solution& solution : blind.solutions) {
-    EXPECT_EQ(solution.cell.kind, CellKind::vertex);
+    EXPECT_EQ(solution.cell.kind, MotionCell::Kind::vertex);
     ASSERT_EQ(solution.movable.size(), 1U);
     const bool is_peg = solution.movable[0].contains(0);
     EXPECT_EQ(text_of(solution.direction), is_peg ? "0 0 1" : "0 0 -1");

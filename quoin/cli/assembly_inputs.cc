@@ -43,18 +43,7 @@ Pieces pieces_of(const MeshObject& object, const std::string& what, const Contex
       std::ranges::move(pieces_of(group, what, context), std::back_inserter(pieces));
     return pieces;
   }
-  Mesh whole = object.groups[0];
-  for (std::size_t g = 1; g < object.groups.size(); ++g) {
-    const auto first = static_cast<std::uint32_t>(whole.vertices.size());
-    whole.vertices.insert(whole.vertices.end(), object.groups[g].vertices.begin(), object.groups[g].vertices.end());
-    for (std::size_t f = 0; f < object.groups[g].face_count(); ++f) {
-      const auto face = object.groups[g].face(f);
-      std::vector<std::uint32_t> corners(face.begin(), face.end());
-      for (std::uint32_t& corner : corners) corner += first;
-      whole.add_face(corners);
-    }
-  }
-  return pieces_of(whole, what, context);
+  return pieces_of(object.whole, what, context);
 }
 
 /// The objects of an OBJ file that has some; nothing of any other input.

@@ -31,7 +31,7 @@ constexpr Color solution_color{46, 157, 91, 255};
 
 PlanPart drawn(const AssemblyPart& part, const Context& context) {
   const Solid solid = solid_of(part, context);
-  const Triangulated triangles = triangulate(solid.boundary(), {}, context);
+  const Triangulated triangles = triangulate_boundary(solid.boundary(), {}, context);
   ViewPart shown = std::move(scene_of_solid(solid.boundary(), triangles, part.name, context).parts[0]);
   return {part.name, std::move(shown.vertices), std::move(shown.triangles), std::move(shown.edges)};
 }
@@ -106,9 +106,9 @@ CellGraphs graphs_of_cells(const MotionSpace& space, Graphs& graphs, const Conte
   space.walk(
       [&](MotionCell cell, const BlockingGraph& graph) {
         const std::uint32_t number = graphs.number_of(graph, PartSet::all(graph.part_count()));
-        (cell.kind == CellKind::vertex ? result.vertices
-         : cell.kind == CellKind::edge ? result.edges
-                                       : result.faces)[cell.id] = number;
+        (cell.kind == MotionCell::Kind::vertex ? result.vertices
+         : cell.kind == MotionCell::Kind::edge ? result.edges
+                                               : result.faces)[cell.id] = number;
       },
       context);
   for (std::size_t e = 0; e < result.edges.size(); ++e)
@@ -149,7 +149,7 @@ void add_sphere(Parts parts, const MotionSpace& space, const CellGraphs& numbers
   };
   how.vertex = [&](dcel::VertexId v) {
     CellLook look = look_of(picture.graphs[numbers.vertices[v.index()]], "Vertex " + std::to_string(v.value), parts);
-    look.text.facts.emplace_back("Direction", direction_text(space.direction_in({CellKind::vertex, v.value})));
+    look.text.facts.emplace_back("Direction", direction_text(space.direction_in({MotionCell::Kind::vertex, v.value})));
     return look;
   };
   how.curve_name = [](CurveId) { return std::string(); };

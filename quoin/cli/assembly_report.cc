@@ -195,13 +195,13 @@ std::string text_of(const Disassembly& disassembly, Parts parts) {
 
 }  // namespace
 
-const char* name_of(CellKind kind) {
+const char* name_of(MotionCell::Kind kind) {
   switch (kind) {
-    case CellKind::vertex:
+    case MotionCell::Kind::vertex:
       return "vertex";
-    case CellKind::edge:
+    case MotionCell::Kind::edge:
       return "edge";
-    case CellKind::face:
+    case MotionCell::Kind::face:
       break;
   }
   return "face";

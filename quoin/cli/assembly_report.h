@@ -19,7 +19,7 @@ std::string assembly_text(std::span<const AssemblyPart> parts, const AssemblyPla
 std::string direction_text(const SphereDirection& direction);
 
 /// "vertex", "edge", "face".
-const char* name_of(CellKind kind);
+const char* name_of(MotionCell::Kind kind);
 
 /// Three doubles along the direction: its integers where they are doubles, else of length one.
 std::array<double, 3> rounded_direction(const SphereDirection& direction);

@@ -69,7 +69,9 @@ std::vector<MeshObject> objects_of(const MeshFile& file) {
   }
   std::vector<MeshObject> objects;
   for (const GatheredObject& object : gathered) {
-    objects.push_back({object.name, {}});
+    std::vector<std::size_t> all;
+    for (const std::vector<std::size_t>& faces : object.faces) all.insert(all.end(), faces.begin(), faces.end());
+    objects.push_back({object.name, mesh_of(file.mesh, all, object.name), {}});
     for (const std::vector<std::size_t>& faces : object.faces) {
       objects.back().groups.push_back(mesh_of(file.mesh, faces, object.name));
     }

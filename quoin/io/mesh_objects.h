@@ -8,9 +8,10 @@
 
 namespace quoin {
 
-/// An object of a file, as one mesh for each of its groups.
+/// An object of a file, as one mesh and as one for each of its groups.
 struct MeshObject {
   std::string name;
+  Mesh whole;
   std::vector<Mesh> groups;
 };
 
