@@ -64,7 +64,8 @@ set_source_files_properties(view/no_templates.cc PROPERTIES COMPILE_DEFINITIONS 
 
 if(QUOIN_TESTS)
   # Writes the pages that scripts/test_view opens in a browser.
-  add_executable(view_pages "${web_source}/test/make_pages.cc" "${web_source}/test/make_pictures.cc")
+  add_executable(view_pages "${web_source}/test/make_pages.cc" "${web_source}/test/make_pictures.cc"
+    "${web_source}/test/make_plans.cc")
   set_target_properties(view_pages PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}")
   target_link_libraries(view_pages PRIVATE quoin quoin_warnings)
 endif()

@@ -49,7 +49,7 @@ export class DirectionsView {
     this.marked = [false, true].map((isSolution) => {
       const points = data.cells.point.flatMap((cell, i) => (cell.color >= 0 === isSolution ? [i] : []));
       const at = new Float32Array(points.flatMap((i) => [...geometry.points.slice(3 * i, 3 * i + 3)]));
-      return { points, dots: new Dots(at, isSolution ? 13 : 6) };
+      return { points, dots: new Dots(at, isSolution ? 13 : 8) };
     });
     this.scene.add(this.globe.back, this.globe.front);
     const marks = [...this.sets.map(({ lines }) => lines.mesh), this.litLines.mesh, ...this.marked.map(({ dots }) => dots.mesh), this.litDots.mesh];
@@ -95,7 +95,7 @@ export class DirectionsView {
   face(direction: readonly number[]): void {
     const toward = new THREE.Vector3(direction[0], direction[1], direction[2]);
     if (toward.dot(this.camera.position.clone().normalize()) > 0.7) return;
-    this.camera.position.copy(toward.add(new THREE.Vector3(0.02, -0.03, 0.02))).setLength(4.5);
+    this.camera.position.copy(toward.add(new THREE.Vector3(0.4, -0.6, 0.35))).setLength(4.5);
     this.controls.update();
     this.invalidate();
   }
