@@ -25,7 +25,7 @@ PairRegions pairs_within(const PairRegions& all, const std::vector<std::uint32_t
   for (std::uint32_t i = 0; i < parts.size(); ++i) {
     for (std::uint32_t j = i + 1; j < parts.size(); ++j) {
       const PartPair& pair = all.pair(parts[i], parts[j]);
-      result.pairs.push_back({i, j, pair.pieces, pair.contacts});
+      result.pairs.push_back({i, j, pair.pieces, pair.contacts, pair.bounds});
     }
   }
   return result;

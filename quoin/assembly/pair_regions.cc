@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "quoin/assembly/box_bounds.h"
 #include "quoin/assembly/stopwatch.h"
 #include "quoin/base/parallel.h"
 #include "quoin/polytope/minkowski_sum.h"
@@ -12,6 +13,9 @@
 namespace quoin {
 
 namespace {
+
+/// From so many pairs of pieces on, a test of boxes is worth it.
+constexpr std::size_t pieces_worth_bounds = 4;
 
 /// What the projections of one pair of parts come to.
 struct PairResult {
@@ -29,10 +33,19 @@ void count(OriginPlace place, SumCounts& counts) {
 
 PairResult project_pair(const AssemblyPart& first, const AssemblyPart& second, PartPair& pair, const Context& context) {
   PairResult result;
-  for (const Polytope& p : second.pieces) {
-    for (const Polytope& q : first.reflected) {
+  if (first.pieces.size() * second.pieces.size() >= pieces_worth_bounds)
+    pair.bounds = project_boxes(first.box, second.box, context);
+  for (std::size_t k = 0; k < second.pieces.size(); ++k) {
+    for (std::size_t l = 0; l < first.pieces.size(); ++l) {
       context.poll();
       Stopwatch watch;
+      if (are_surely_covered(first.piece_boxes[l], second.piece_boxes[k], pair.pieces)) {
+        count(OriginPlace::separated, result.counts);
+        result.times.projections += watch.lap();
+        continue;
+      }
+      const Polytope& p = second.pieces[k];
+      const Polytope& q = first.reflected[l];
       const PolytopeSum sum = minkowski_sum(p, q, context);
       result.times.sums += watch.lap();
       Projection projection = project(sum, p, q);
@@ -71,6 +84,7 @@ bool PairRegions::is_blocked(std::uint32_t moving, std::uint32_t other, const Re
   const bool is_first = moving < other;
   const PartPair& both = is_first ? pair(moving, other) : pair(other, moving);
   const RegionDirection relative = is_first ? direction : -direction;
+  if (both.bounds && !both.bounds->contains(relative)) return false;
   return std::ranges::any_of(both.pieces, [&](const ConvexRegion& region) { return region.contains(relative); });
 }
 
@@ -79,7 +93,7 @@ PairRegions project_pairs(std::span<const AssemblyPart> parts, std::vector<Overl
   PairRegions all;
   all.part_count = parts.size();
   for (std::uint32_t i = 0; i < parts.size(); ++i) {
-    for (std::uint32_t j = i + 1; j < parts.size(); ++j) all.pairs.push_back({i, j, {}, {}});
+    for (std::uint32_t j = i + 1; j < parts.size(); ++j) all.pairs.push_back({i, j, {}, {}, {}});
   }
   std::vector<PairResult> results(all.pairs.size());
   constexpr std::size_t pairs_at_once = 64;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -40,6 +41,8 @@ struct PartPair {
   std::uint32_t second = 0;
   std::vector<ConvexRegion> pieces;    ///< the first meets the second in their union
   std::vector<ConvexRegion> contacts;  ///< those of pieces that touch: what stops the smallest motion
+  /// Of pairs of many pieces: what their boxes tell, outside of which nothing is blocked.
+  std::optional<ConvexRegion> bounds;
 };
 
 /// All pairs of an assembly. Of (j, i) with i < j, everything is the reflection of (i, j).
@@ -63,8 +66,10 @@ struct OverlappingParts {
 
 /// Sums and projections of all pairs of pieces of parts i < j: P_j + (-P_i) seen from the origin. Parts may touch.
 ///
-/// Pairs run in parallel; the result does not depend on threads. Parts whose interiors meet are listed in `overlaps`,
-/// their regions left empty. Source: Fogel 2009, section 5.3, phases 4 and 5; antisymmetry as in 5.4.
+/// Pieces whose boxes are apart, and in directions that others of the pair block already, need no sum; such pairs count
+/// as separated. Pairs of parts run in parallel; the result does not depend on threads. Parts whose interiors meet are
+/// listed in `overlaps`, their regions left empty. Source: Fogel 2009, section 5.3, phases 4 and 5; antisymmetry as
+/// in 5.4.
 /// @throws Cancelled
 PairRegions project_pairs(std::span<const AssemblyPart> parts, std::vector<OverlappingParts>& overlaps,
                           PhaseTimes& times, const Context& context);

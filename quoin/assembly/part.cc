@@ -24,13 +24,16 @@ Polytope reflected(const Polytope& piece, const Context& context) {
 }  // namespace
 
 AssemblyPart make_part(std::string name, std::vector<Polytope> pieces, const Context& context) {
-  AssemblyPart part{std::move(name), std::move(pieces), {}, {}, 0, 0};
+  AssemblyPart part{std::move(name), std::move(pieces), {}, {}, {}, 0, 0};
   if (part.pieces.empty()) throw InputError("part '" + part.name + "' is empty");
   Stopwatch watch;
   for (const Polytope& piece : part.pieces) {
     if (piece.dimension() < 3) throw InputError("part '" + part.name + "': a piece is flat");
     part.reflected.push_back(reflected(piece, context));
-    for (std::uint32_t v = 0; v < piece.vertex_count(); ++v) part.box.extend(piece.vertex(v));
+    Box3 box;
+    for (std::uint32_t v = 0; v < piece.vertex_count(); ++v) box.extend(piece.vertex(v));
+    part.piece_boxes.push_back(box);
+    part.box.extend(box);
   }
   part.reflection_seconds = watch.lap();
   return part;

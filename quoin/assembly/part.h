@@ -16,6 +16,7 @@ struct AssemblyPart {
   std::string name;
   std::vector<Polytope> pieces;
   std::vector<Polytope> reflected;  ///< each piece times -1
+  std::vector<Box3> piece_boxes;
   Box3 box;
   double map_seconds = 0;         ///< time that the pieces' Gaussian maps took, where it is known
   double reflection_seconds = 0;  ///< and their reflections

@@ -40,6 +40,15 @@ class RegionDirection {
     if (sum < -bound) return Sign::negative;
     return dot_sign(a.exact_, b.exact_);
   }
+  /// Enough for a positive scalar product with a vector whose components were rounded once; the bound is that of
+  /// dot_sign.
+  bool is_surely_positive(const Vector3& v) const {
+    const double x = rounded_.x * v.x;
+    const double y = rounded_.y * v.y;
+    const double z = rounded_.z * v.z;
+    const double size = std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z);
+    return x + y + z > 6 * 0x1p-53 * (std::fabs(x) + std::fabs(y) + std::fabs(z)) + 0x1p-1000 * size + 0x1p-1000;
+  }
   friend RegionDirection cross(const RegionDirection& a, const RegionDirection& b) { return cross(a.exact_, b.exact_); }
   friend bool operator==(const RegionDirection& a, const RegionDirection& b) { return are_equal(a.exact_, b.exact_); }
 

@@ -28,6 +28,7 @@ using Parts = std::span<const AssemblyPart>;
 constexpr std::size_t most_cells_shown = 20'000;
 /// Of cells with solutions.
 constexpr Color solution_color{46, 157, 91, 255};
+constexpr Color solution_face_color{150, 205, 165, 255};
 
 PlanPart drawn(const AssemblyPart& part, const Context& context) {
   const Solid solid = solid_of(part, context);
@@ -142,7 +143,9 @@ void add_sphere(Parts parts, const MotionSpace& space, const CellGraphs& numbers
   const dcel::Dcel& cells = space.arrangement().cells();
   ArrangementPictureOptions how;
   how.face = [&](dcel::FaceId f) {
-    return look_of(picture.graphs[numbers.faces[f.index()]], "Face " + std::to_string(f.value), parts);
+    CellLook look = look_of(picture.graphs[numbers.faces[f.index()]], "Face " + std::to_string(f.value), parts);
+    if (look.fill.color) look.fill.color = solution_face_color;
+    return look;
   };
   how.edge = [&](dcel::EdgeId e) {
     return look_of(picture.graphs[numbers.edges[e.index()]], "Edge " + std::to_string(space.cell_of(e).value), parts);
