@@ -12,6 +12,10 @@ namespace {
 constexpr std::size_t most_overlaps_named = 20;
 
 void find_solutions(AssemblyPlan& plan, const AssemblyQuestion& question, const Context& context) {
+  if (question.partition.prune) {
+    plan.partition = partition(plan.pairs, question.partition, plan.times, context);
+    return;
+  }
   plan.groups = unite_pairs(plan.pairs, MotionKind::infinite, plan.times, context);
   if (question.partition.announce) question.partition.announce(estimate(plan.groups));
   Stopwatch watch;

@@ -28,7 +28,7 @@ struct AssemblyQuestion {
 struct AssemblyPlan {
   PairRegions pairs;
   std::vector<RegionGroup> groups;           ///< of `space`
-  std::unique_ptr<const MotionSpace> space;  ///< null where solutions were not asked for
+  std::unique_ptr<const MotionSpace> space;  ///< null without solutions, and where pruned
   std::optional<Partition> partition;
   std::optional<InfinitesimalFreedom> infinitesimal;
   std::optional<Disassembly> disassembly;

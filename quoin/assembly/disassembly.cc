@@ -141,21 +141,20 @@ class Disassembler {
   std::vector<DisassemblyMove> moves_in_motion_space(const PartSet& parts, bool& has_all) const {
     const std::vector<std::uint32_t> members = parts.members();
     const PairRegions pairs = pairs_within(pairs_, members);
+    PartitionOptions options;
+    options.prune = true;
+    options.announce = options_.announce;
     PhaseTimes times;
-    const std::vector<RegionGroup> groups = unite_pairs(pairs, MotionKind::infinite, times, context_);
-    if (options_.announce) options_.announce(estimate(groups));
-    const MotionSpace space(members.size(), groups, context_);
-    const PartSet everything = PartSet::all(members.size());
+    const Partition found = partition(pairs, options, times, context_);
+    has_all = has_all && found.has_all;
     MoveList moves(parts, options_.max_alternatives);
-    space.walk(
-        [&](MotionCell cell, const BlockingGraph& graph) {
-          for (const PartSet& movable : graph.movable_sets(everything)) {
-            PartSet moving(pairs_.part_count);
-            for (const std::uint32_t member : movable.members()) moving.insert(members[member]);
-            if (is_allowed(moving) && moves.has_room_for(moving)) moves.add(moving, space.direction_in(cell));
-          }
-        },
-        context_);
+    for (const Solution& solution : found.solutions) {
+      for (const PartSet& movable : solution.movable) {
+        PartSet moving(pairs_.part_count);
+        for (const std::uint32_t member : movable.members()) moving.insert(members[member]);
+        if (is_allowed(moving)) moves.add(std::move(moving), solution.direction);
+      }
+    }
     return moves.take(has_all);
   }
 

@@ -28,8 +28,9 @@ void add_arc(const BlockedRegion& region, const BlockedRegion::Arc& arc, Drawing
 
 }  // namespace
 
-MotionSpace::MotionSpace(std::size_t part_count, std::span<const RegionGroup> groups, const Context& context)
-    : part_count_(part_count), groups_(groups) {
+MotionSpace::MotionSpace(std::size_t part_count, std::span<const RegionGroup> groups, const Context& context,
+                         Arcs fixed)
+    : part_count_(part_count), groups_(groups), fixed_(std::move(fixed)) {
   draw(context);
   find_cuts();
 }

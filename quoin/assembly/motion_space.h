@@ -35,9 +35,11 @@ struct MotionCounts {
 /// walk keeps one graph up to date.
 class MotionSpace {
  public:
-  /// One sweep, each region drawn once whatever the number of its pairs. O((n + k) log n) for n arcs and k crossings.
-  /// The groups must outlive it. @throws Cancelled
-  MotionSpace(std::size_t part_count, std::span<const RegionGroup> groups, const Context& context);
+  using Arcs = std::vector<std::array<std::uint32_t, 2>>;
+
+  /// One sweep, each region drawn once whatever the number of its pairs; `fixed` are arcs of all graphs besides.
+  /// O((n + k) log n) for n arcs and k crossings. The groups must outlive it. @throws Cancelled
+  MotionSpace(std::size_t part_count, std::span<const RegionGroup> groups, const Context& context, Arcs fixed = {});
 
   const GeodesicArrangement& arrangement() const { return arrangement_; }
   MotionCounts counts() const;
@@ -77,6 +79,7 @@ class MotionSpace {
 
   std::size_t part_count_;
   std::span<const RegionGroup> groups_;
+  Arcs fixed_;
   GeodesicArrangement arrangement_;
   std::vector<Source> sources_;                   // by curve
   std::vector<Coincidence> coincidences_;         // sorted by vertex and group

@@ -26,6 +26,7 @@ class MotionWalk {
         is_in_(space.groups_.size(), false) {}
 
   void run() {
+    for (const auto& [from, to] : space_.fixed_) graph_.set_arc(from, to, true);
     find_start();
     is_edge_done_.assign(cells_.edges.size(), false);
     is_vertex_done_.assign(cells_.vertices.size(), false);

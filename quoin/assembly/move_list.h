@@ -16,10 +16,6 @@ class MoveList {
 
   void add(PartSet moving, const SphereDirection& direction);
   bool is_empty() const { return moves_.empty(); }
-  /// Nothing better will come but by sets of fewer parts than the last one has.
-  bool has_room_for(const PartSet& moving) const {
-    return moves_.size() < most_ || moving.count() < moves_.back().moving.count();
-  }
   /// As many as are kept, all of single parts.
   bool is_full() const { return moves_.size() >= most_ && moves_.back().moving.count() == 1; }
   /// `has_all` becomes false where some were left out.

@@ -117,7 +117,8 @@ PairRegions project_pairs(std::span<const AssemblyPart> parts, std::vector<Overl
 }
 
 std::vector<RegionGroup> unite_pairs(const PairRegions& pairs, MotionKind kind, PhaseTimes& times,
-                                     const Context& context) {
+                                     const Context& context, const PairFilter& counts) {
+  const auto is_counted = [&](std::uint32_t i, std::uint32_t j) { return !counts || counts(i, j); };
   Stopwatch watch;
   std::vector<BlockedRegion> united(pairs.pairs.size());
   const std::size_t grain = 16;
@@ -126,22 +127,25 @@ std::vector<RegionGroup> unite_pairs(const PairRegions& pairs, MotionKind kind, 
     for_each_chunk(context, std::min(8 * grain, united.size() - done), grain, [&](const Chunk& chunk) {
       for (std::size_t k = done + chunk.begin; k < done + chunk.end; ++k) {
         const PartPair& pair = pairs.pairs[k];
+        if (!is_counted(pair.first, pair.second) && !is_counted(pair.second, pair.first)) continue;
         united[k] = unite(kind == MotionKind::infinite ? pair.pieces : pair.contacts, context);
       }
     });
   }
   RegionNumbers numbers;
   std::vector<RegionGroup> groups;
-  std::map<std::size_t, std::size_t> opposite;  // by group, once asked for
+  std::map<BlockedRegion, std::size_t> opposite;  // groups of reflected regions, by region
+  const auto number_of_opposite = [&](const BlockedRegion& region) {
+    const auto known = opposite.find(region);
+    if (known != opposite.end()) return known->second;
+    return opposite.emplace(region, number_of(reflected(region), numbers, groups)).first->second;
+  };
   for (std::size_t k = 0; k < united.size(); ++k) {
     const auto [i, j] = std::pair(pairs.pairs[k].first, pairs.pairs[k].second);
     const BlockedRegion& region = united[k];
     if (region.arcs.empty() && region.vertices.empty() && !region.blocks_elsewhere) continue;
-    const std::size_t group = number_of(region, numbers, groups);
-    auto back = opposite.find(group);
-    if (back == opposite.end()) back = opposite.emplace(group, number_of(reflected(region), numbers, groups)).first;
-    groups[group].arcs.push_back({i, j});
-    groups[back->second].arcs.push_back({j, i});
+    if (is_counted(i, j)) groups[number_of(region, numbers, groups)].arcs.push_back({i, j});
+    if (is_counted(j, i)) groups[number_of_opposite(region)].arcs.push_back({j, i});
   }
   times.unions += watch.lap();
   return groups;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -85,9 +86,12 @@ enum class MotionKind : std::uint8_t {
   infinitesimal  ///< the first step of one
 };
 
-/// The distinct regions of all ordered pairs, each united once, reflected once, and listed with all pairs that have it.
-/// In the order of the first pair. @throws Cancelled
+/// Which ordered pairs count, by the part that moves and the one that stays; empty: all.
+using PairFilter = std::function<bool(std::uint32_t, std::uint32_t)>;
+
+/// The distinct regions of ordered pairs, each united once, reflected once, and listed with all pairs that have it. In
+/// the order of the first pair. @throws Cancelled
 std::vector<RegionGroup> unite_pairs(const PairRegions& pairs, MotionKind kind, PhaseTimes& times,
-                                     const Context& context);
+                                     const Context& context, const PairFilter& counts = {});
 
 }  // namespace quoin

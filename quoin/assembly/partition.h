@@ -33,6 +33,9 @@ struct PartitionOptions {
   MotionKind kind = MotionKind::infinite;
   /// Movable sets kept, of whole cells; of cells beyond only the number is found.
   std::size_t max_solutions = 100'000;
+  /// Leaves out first where nothing can move (triangle_search.h): `cells` then counts only what had to be overlaid.
+  /// Solutions are the same. Of infinite motion.
+  bool prune = false;
   /// Called before the overlay of all regions, which may be large; may throw to stop.
   std::function<void(const MotionEstimate&)> announce{};
 };

@@ -109,6 +109,8 @@ void add_assembly(CLI::App& app, Options& options) {
   assembly->add_flag("--sequence", options.sequence, "take it apart altogether, with alternatives");
   assembly->add_flag("--sequence-only", options.sequence_only, "the same without the list of all solutions");
   assembly->add_flag("--infinitesimal", options.infinitesimal, "only what can begin to move, which costs less");
+  assembly->add_flag("--prune", options.prune,
+                     "first leave out directions in which everything holds, triangle by triangle");
   add_repeatable(*assembly, "--direction", options.directions, "x,y,z: only this way (may be repeated)");
   assembly->add_flag("--one-part", options.one_part, "move one part at a time");
   assembly->add_option("--base", options.base, "name of a part that stays where it is");

@@ -36,9 +36,10 @@ std::function<void(const MotionEstimate&)> announcer(const Options& options) {
                              std::to_string(estimate.arcs) + " arcs has about " +
                              short_number(estimate.crossings / 1e6) + " million vertices";
     if (estimate.crossings > crossings_refused) {
-      throw InputError(size +
-                       ": too many; ask for the sequence only (--sequence-only), for what can begin to move "
-                       "(--infinitesimal), or for some directions (--direction)");
+      throw InputError(
+          size +
+          ": too many; try --prune, or ask for the sequence only (--sequence-only), for what can begin to move "
+          "(--infinitesimal), or for some directions (--direction)");
     }
     if (options.quiet) return;
     note_stream() << "quoin: " << size << ": about " << short_number(estimate.seconds) << " s and "
@@ -65,6 +66,7 @@ AssemblyQuestion question_of(const Options& options, const std::vector<AssemblyP
   question.solutions = !options.infinitesimal && !options.sequence_only && options.directions.empty();
   question.infinitesimal = !options.sequence_only && options.directions.empty();
   question.partition.announce = announcer(options);
+  question.partition.prune = options.prune;
   question.partition.max_solutions = options.limit;
   question.disassembly.announce = announcer(options);
   question.disassembly.one_part_at_a_time = options.one_part;

@@ -42,6 +42,7 @@ struct Options {
   bool sequence = false;                ///< of `assembly`
   bool sequence_only = false;           ///< of `assembly`: without all solutions
   bool infinitesimal = false;           ///< of `assembly`: only what can begin to move
+  bool prune = false;                   ///< of `assembly`: first leave out where nothing moves
   bool one_part = false;                ///< of `assembly`: one part at a time
   bool json = false;
   bool quiet = false;

@@ -41,7 +41,7 @@ hull minkowski gaussian-map distance width assembly arrange overlay locate polyg
       union | intersection | difference | xor | csg | repair | convert | view | hull | minkowski) options+=" $makes" ;;
       gaussian-map) options+=" $draws" ;;
       assembly)
-        options+=" -o --output --format --sequence --sequence-only --infinitesimal --direction --one-part --base --limit"
+        options+=" -o --output --format --sequence --sequence-only --infinitesimal --direction --one-part --base --prune --limit"
         ;;
       distance) options+=" --translate" ;;
       classify) options+=" --point --points --line" ;;

@@ -91,6 +91,12 @@ class Assembly(CommandTest):
                         ["--limit", "x"], ["--base"]):
             self.run_quoin("assembly", path, *mistake, code=USAGE)
 
+    def test_pruning_loses_nothing(self):
+        for name in ("split_star", "burr"):
+            def solutions(report):
+                return sorted((s["direction"], s["move"]) for s in report["solutions"])
+            self.assertEqual(solutions(self.example(name, "--prune")), solutions(self.example(name)))
+
     def test_infinitesimal_alone(self):
         report = self.example("split_star", "--infinitesimal")
         self.assertNotIn("solutions", report)
