@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <map>
 #include <set>
 
 #include "quoin/assembly/candidates.h"
@@ -74,6 +76,36 @@ TEST(MotionSpace, CellsOfKnownAssembliesAgreeWithRays) {
   expect_cells_agree_with_rays(peg(false), random);
   expect_cells_agree_with_rays(hooks(), random);
   expect_cells_agree_with_rays(stack(4), random);
+}
+
+// Full doubles of many magnitudes: differences round, directions are longer than any fixed width.
+TEST(MotionSpace, CellsOfPartsOfAnySizeAgreeWithTheirPairs) {
+  Random random(13);
+  for (int round = 0; round < test_rounds(6); ++round) {
+    SCOPED_TRACE(round);
+    const auto number = [&] {
+      return std::ldexp(1 + double(random() % (std::uint64_t{1} << 52)) * 0x1p-52,
+                        int(random() % (round < 3 ? 8 : 200)));
+    };
+    std::vector<Pieces> parts;
+    double at = 0;
+    for (int p = 0; p < 3; ++p) {
+      const double next = at + number();
+      parts.push_back({box({at, -number(), -number()}, {next, number(), number()})});
+      at = random() % 2 == 0 ? next : next + number();
+    }
+    const PairRegions pairs = pairs_of(assembled(parts));
+    const Space made(pairs);
+    std::size_t cells = 0;
+    made.space.walk(
+        [&](MotionCell cell, const BlockingGraph& graph) {
+          ++cells;
+          const SphereDirection d = made.space.direction_in(cell);
+          ASSERT_EQ(graph, blocking_graph(pairs, d, PartSet::all(3))) << int(cell.kind) << " " << cell.id;
+        },
+        one_thread);
+    EXPECT_GT(cells, 3U);
+  }
 }
 
 // Section 3.4: once simplified 14 vertices, 36 edges, 24 faces, whatever the pieces; arcs of graphs by kind of cell.

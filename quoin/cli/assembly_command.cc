@@ -20,6 +20,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr double sums_announced = 1e5;
+constexpr double seconds_of_a_sum = 5e-5;
 constexpr double crossings_announced = 2e5;
 constexpr double crossings_refused = 2e8;
 
@@ -45,6 +47,19 @@ std::function<void(const MotionEstimate&)> announcer(const Options& options) {
     note_stream() << "quoin: " << size << ": about " << short_number(estimate.seconds) << " s and "
                   << short_number(estimate.bytes / 1e9) << " GB; interrupt it, or give --timeout, to stop\n";
   };
+}
+
+/// The same of the sums of pieces, which come first.
+void announce_sums(const std::vector<AssemblyPart>& parts, const Options& options) {
+  double sums = 0;
+  double before = 0;
+  for (const AssemblyPart& part : parts) {
+    sums += before * static_cast<double>(part.pieces.size());
+    before += static_cast<double>(part.pieces.size());
+  }
+  if (sums < sums_announced || options.quiet) return;
+  note_stream() << "quoin: " << short_number(sums / 1e6) << " million sums of pieces: about "
+                << short_number(sums * seconds_of_a_sum) << " s; interrupt it, or give --timeout, to stop\n";
 }
 
 std::uint32_t part_named(const std::string& name, const std::vector<AssemblyPart>& parts) {
@@ -93,6 +108,7 @@ int run_assembly(const Options& options, const Context& context) {
   std::vector<std::string> warnings;
   for (const std::string& text : options.directions) direction_of(text);
   const std::vector<AssemblyPart> parts = read_parts(options, warnings, context);
+  announce_sums(parts, options);
   const AssemblyPlan plan = analyse_assembly(parts, question_of(options, parts), context);
   if (plan.partition && !plan.partition->has_all) {
     warnings.push_back("not all solutions are listed, only " + std::to_string(plan.partition->solution_count) +

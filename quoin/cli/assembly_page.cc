@@ -26,6 +26,7 @@ using Parts = std::span<const AssemblyPart>;
 
 /// Beyond that many cells of a motion space nobody finds one in a picture.
 constexpr std::size_t most_cells_shown = 20'000;
+constexpr std::size_t most_stops_named = 8;
 /// Of cells with solutions.
 constexpr Color solution_color{46, 157, 91, 255};
 constexpr Color solution_face_color{150, 205, 165, 255};
@@ -175,7 +176,7 @@ void add_sphere(Parts parts, const MotionSpace& space, const CellGraphs& numbers
   }
 }
 
-void add_facts(const AssemblyPlan& plan, PlanPicture& picture) {
+void add_facts(Parts parts, const AssemblyPlan& plan, PlanPicture& picture) {
   const auto add = [&](const std::string& name, std::size_t number) {
     picture.facts.emplace_back(name, std::to_string(number));
   };
@@ -189,6 +190,13 @@ void add_facts(const AssemblyPlan& plan, PlanPicture& picture) {
   if (plan.infinitesimal) {
     add("Sets that can begin to move", plan.infinitesimal->partition.solution_count);
     add("of these stopped later", plan.infinitesimal->stopped.size());
+    for (std::size_t k = 0; k < plan.infinitesimal->stopped.size() && k < most_stops_named; ++k) {
+      const StoppedMotion& stop = plan.infinitesimal->stopped[k];
+      const Solution& solution = plan.infinitesimal->partition.solutions[stop.solution];
+      picture.facts.emplace_back(
+          names_of(solution.movable[stop.movable], parts) + " along " + direction_text(solution.direction),
+          parts[stop.stops[0][0]].name + " would meet " + parts[stop.stops[0][1]].name);
+    }
   }
   if (plan.disassembly) {
     add("Steps", plan.disassembly->steps.size());
@@ -205,7 +213,7 @@ void write_assembly_page(Parts parts, const AssemblyPlan& plan, const Target& ta
   for (const AssemblyPart& part : parts) picture.parts.push_back(drawn(part, context));
   Graphs graphs(picture.graphs);
   if (plan.disassembly) add_sequence(plan, graphs, picture);
-  add_facts(plan, picture);
+  add_facts(parts, plan, picture);
   if (plan.space) {
     const MotionCounts& counts = plan.partition->cells;
     if (counts.vertices + counts.edges + counts.faces <= most_cells_shown) {

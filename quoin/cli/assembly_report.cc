@@ -148,6 +148,7 @@ std::string text_of(const Partition& partition, Parts parts) {
   std::string text = "motion space: " + counted(partition.cells.vertices, "vertex", "vertices") + ", " +
                      counted(partition.cells.edges, "edge", "edges") + ", " +
                      counted(partition.cells.faces, "face", "faces") + "\n";
+  if (parts.size() < 2) return text + "one part has nothing to leave\n";
   if (partition.is_interlocked()) return text + "interlocked: no set of parts can move away from the others\n";
   text += std::string(partition.has_all ? "" : "more than ") +
           counted(partition.solution_count, "solution", "solutions") + " in " +
@@ -235,7 +236,7 @@ Json assembly_report(Parts parts, const AssemblyPlan& plan) {
                     {"separated", sums.separated}};
   if (plan.partition) {
     add_counts(*plan.partition, report);
-    report["interlocked"] = plan.partition->is_interlocked();
+    report["interlocked"] = parts.size() > 1 && plan.partition->is_interlocked();
     report["solutions"] = describe_solutions(*plan.partition, parts);
   }
   if (plan.infinitesimal) report["infinitesimal"] = describe(*plan.infinitesimal, parts);
