@@ -83,16 +83,16 @@ TEST(MotionSpace, CellsOfPartsOfAnySizeAgreeWithTheirPairs) {
   Random random(13);
   for (int round = 0; round < test_rounds(6); ++round) {
     SCOPED_TRACE(round);
-    const auto number = [&] {
-      return std::ldexp(1 + double(random() % (std::uint64_t{1} << 52)) * 0x1p-52,
-                        int(random() % (round < 3 ? 8 : 200)));
+    const auto number = [&](unsigned exponents) {
+      return std::ldexp(1 + double(random() % (std::uint64_t{1} << 52)) * 0x1p-52, int(random() % exponents));
     };
+    const unsigned across = round < 3 ? 8 : 200;
     std::vector<Pieces> parts;
     double at = 0;
     for (int p = 0; p < 3; ++p) {
-      const double next = at + number();
-      parts.push_back({box({at, -number(), -number()}, {next, number(), number()})});
-      at = random() % 2 == 0 ? next : next + number();
+      const double next = at + number(8);
+      parts.push_back({box({at, -number(across), -number(across)}, {next, number(across), number(across)})});
+      at = random() % 2 == 0 ? next : next + number(8);
     }
     const PairRegions pairs = pairs_of(assembled(parts));
     const Space made(pairs);
