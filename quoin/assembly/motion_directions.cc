@@ -81,7 +81,7 @@ FaceBorder border_of(const GeodesicArrangement& arrangement, dcel::FaceId f) {
 /// Of the whole sphere without some vertices.
 SphereDirection direction_beside(const FaceBorder& border) {
   for (std::int64_t k = 0;; ++k) {
-    const SphereDirection d(std::array<std::int64_t, 3>{k, k * k, 1});
+    SphereDirection d(std::array<std::int64_t, 3>{k, k * k, 1});
     if (!border.is_lone(d)) return d;
   }
 }
@@ -129,7 +129,7 @@ SphereDirection MotionSpace::direction_in_face(dcel::FaceId f) const {
   if (border.first.is_none()) return direction_beside(border);
   for (const double steps : steps_tried) {
     for (const Vector3& sum : {border.corners, border.normals}) {
-      const SphereDirection candidate = rounded_sum(sum, steps);
+      SphereDirection candidate = rounded_sum(sum, steps);
       if (border.surely_holds(candidate)) return candidate;
     }
   }

@@ -126,8 +126,10 @@ class MotionWalk {
     set(group, is_in);
   }
   void step_back() {
-    for (auto step = stepped_.rbegin(); step != stepped_.rend(); ++step) set(step->first, step->second);
-    stepped_.clear();
+    while (!stepped_.empty()) {
+      set(stepped_.back().first, stepped_.back().second);
+      stepped_.pop_back();
+    }
   }
 
   const MotionSpace& space_;
