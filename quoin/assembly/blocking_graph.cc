@@ -37,7 +37,17 @@ PartSet BlockingGraph::closure(const Rows& rows, std::uint32_t from, const PartS
   return reached;
 }
 
+bool BlockingGraph::has_free_part(const PartSet& within) const {
+  for (std::size_t w = 0; w < words_; ++w) {
+    for (std::uint64_t rest = within.words()[w]; rest != 0; rest &= rest - 1) {
+      if (!is_held(64 * w + static_cast<std::size_t>(std::countr_zero(rest)), within)) return true;
+    }
+  }
+  return false;
+}
+
 bool BlockingGraph::is_strongly_connected(const PartSet& within) const {
+  if (within.has_several() && has_free_part(within)) return false;  // what is quickly found comes first
   for (std::size_t w = 0; w < words_; ++w) {
     if (within.words()[w] == 0) continue;
     const auto part =

@@ -62,6 +62,8 @@ class BlockingGraph {
     const std::uint64_t bit = std::uint64_t{1} << (column % 64);
     word = value ? word | bit : word & ~bit;
   }
+  /// Whether some part is not held by any other one of the set.
+  bool has_free_part(const PartSet& within) const;
   PartSet closure(const Rows& rows, std::uint32_t from, const PartSet& within) const;
 
   std::size_t part_count_;

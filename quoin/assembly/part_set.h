@@ -29,6 +29,15 @@ class PartSet {
     for (const std::uint64_t word : words_) result += static_cast<std::size_t>(std::popcount(word));
     return result;
   }
+  bool has_several() const {
+    bool has_one = false;
+    for (const std::uint64_t word : words_) {
+      if (word == 0) continue;
+      if (has_one || (word & (word - 1)) != 0) return true;
+      has_one = true;
+    }
+    return false;
+  }
   bool is_empty() const {
     for (const std::uint64_t word : words_) {
       if (word != 0) return false;
