@@ -5,6 +5,8 @@
 """
 import json
 import pathlib
+import subprocess
+import sys
 
 from command import DONE, FILE_TROUBLE, OUT_OF_TIME, REFUSED, USAGE, CommandTest, box, corners, main, CUBE_FACES
 
@@ -96,6 +98,11 @@ class Assembly(CommandTest):
             def solutions(report):
                 return sorted((s["direction"], s["move"]) for s in report["solutions"])
             self.assertEqual(solutions(self.example(name, "--prune")), solutions(self.example(name)))
+
+    def test_examples_are_what_their_script_makes(self):
+        subprocess.run([sys.executable, str(EXAMPLES / "make.py"), str(self.folder)], check=True)
+        for path in EXAMPLES.glob("*.obj"):
+            self.assertEqual(self.read(path.name), path.read_bytes(), path.name)
 
     def test_infinitesimal_alone(self):
         report = self.example("split_star", "--infinitesimal")
