@@ -94,6 +94,29 @@ void add_booleans(CLI::App& app, Options& options) {
   csg->add_option("operands", options.inputs, "NAME=FILE for each name")->required();
 }
 
+void add_assembly(CLI::App& app, Options& options) {
+  CLI::App* assembly =
+      add_command(app, options, "assembly", "how an assembly comes apart: which parts can move away, and where to");
+  assembly
+      ->add_option("files", options.inputs,
+                   "parts that do not overlap: meshes or .qsolid, a part each, or OBJ with several objects; of convex "
+                   "pieces, which may be groups of an OBJ object")
+      ->required();
+  add_repeatable(*assembly, "-o,--output", options.outputs,
+                 "file to write, format by its ending: json (the report), html (a page to look at); '-' for standard "
+                 "output; may be repeated");
+  assembly->add_option("--format", options.format, "format of standard output: an ending without its dot");
+  assembly->add_flag("--sequence", options.sequence, "take it apart altogether, with alternatives");
+  assembly->add_flag("--sequence-only", options.sequence_only, "the same without the list of all solutions");
+  assembly->add_flag("--infinitesimal", options.infinitesimal, "only what can begin to move, which costs less");
+  assembly->add_flag("--prune", options.prune,
+                     "first leave out directions in which everything holds, triangle by triangle");
+  add_repeatable(*assembly, "--direction", options.directions, "x,y,z: only this way (may be repeated)");
+  assembly->add_flag("--one-part", options.one_part, "move one part at a time");
+  assembly->add_option("--base", options.base, "name of a part that stays where it is");
+  assembly->add_option("--limit", options.limit, "solutions listed (default: 10000)")->check(whole_number());
+}
+
 void add_queries(CLI::App& app, Options& options) {
   CLI::App* classify =
       add_command(app, options, "classify", "where points and lines lie: in, out, on a face, edge or vertex");
@@ -238,6 +261,7 @@ void add_commands(CLI::App& app, Options& options) {
                             "of a convex solid: least distance of parallel planes about it, diameter, smallest ball"),
                options);
   add_queries(app, options);
+  add_assembly(app, options);
   add_planar(app, options);
 }
 

@@ -25,6 +25,7 @@ int run_polytope_sum(const Options& options, const Context& context);
 int run_solid_sum(const Options& options, const Context& context);
 int run_erosion(const Options& options, const Context& context);
 int run_decomposition(const Options& options, const Context& context);
+int run_assembly(const Options& options, const Context& context);
 int run_arrange(const Options& options, const Context& context);
 int run_arrange_on_sphere(const Options& options, const Context& context);
 int run_overlay(const Options& options, const Context& context);

@@ -53,7 +53,8 @@ int run(const Options& options) {
                                                {"decompose", run_decomposition},
                                                {"distance", run_distance},
                                                {"width", run_width},
-                                               {"gaussian-map", run_gaussian_map}};
+                                               {"gaussian-map", run_gaussian_map},
+                                               {"assembly", run_assembly}};
   return runs.at(options.command)(options, context);
 }
 

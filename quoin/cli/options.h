@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -30,16 +31,24 @@ struct Options {
   std::string distance;              ///< of `polygon offset`: a number; below zero: an inset
   std::string precision;             ///< of `polygon offset`: how far the radius may be off; empty: 2^-20 of it
   std::optional<double> ball;        ///< of `minkowski` and `erode`: a ball of this radius instead of a second solid
-  std::optional<double> within;      ///< of the same: how far a polytope may be from the ball; a hundredth of its radius
-  std::optional<double> flatten;     ///< chords instead of arcs, no further than this from them
-  bool plain = false;                ///< of `polygon`: edges and points without area stay
-  bool inner = false;                ///< of offsets: what lies within the exact one is written
-  bool tight = false;                ///< of `polygon minkowski`: tight places too
-  bool reflect = false;              ///< of `polygon minkowski`: the second set turned by half a turn
-  bool labels = false;               ///< numbers in pictures
-  bool sphere = false;               ///< of `arrange`: curves on the sphere
-  bool cube = false;                 ///< of `gaussian-map`: on the surface of a cube
-  bool upper = false;                ///< of `envelope`
+  std::optional<double> within;   ///< of the same: how far a polytope may be from the ball; a hundredth of its radius
+  std::optional<double> flatten;  ///< chords instead of arcs, no further than this from them
+  bool plain = false;             ///< of `polygon`: edges and points without area stay
+  bool inner = false;             ///< of offsets: what lies within the exact one is written
+  bool tight = false;             ///< of `polygon minkowski`: tight places too
+  bool reflect = false;           ///< of `polygon minkowski`: the second set turned by half a turn
+  bool labels = false;            ///< numbers in pictures
+  bool sphere = false;            ///< of `arrange`: curves on the sphere
+  bool cube = false;              ///< of `gaussian-map`: on the surface of a cube
+  bool upper = false;             ///< of `envelope`
+  std::vector<std::string> directions;  ///< of `assembly`: "x,y,z"
+  std::string base;                     ///< of `assembly`: the part that stays
+  std::size_t limit = 10'000;           ///< of `assembly`: solutions listed
+  bool sequence = false;                ///< of `assembly`
+  bool sequence_only = false;           ///< of `assembly`: without all solutions
+  bool infinitesimal = false;           ///< of `assembly`: only what can begin to move
+  bool prune = false;                   ///< of `assembly`: first leave out where nothing moves
+  bool one_part = false;                ///< of `assembly`: one part at a time
   bool json = false;
   bool quiet = false;
   bool verbose = false;

@@ -95,6 +95,7 @@ class OutputWriter {
       case Target::Kind::planar_exact:
       case Target::Kind::picture:
       case Target::Kind::planar_page:
+      case Target::Kind::report:
         break;
     }
     throw InternalError(target.name + ": solids are not written as drawings");

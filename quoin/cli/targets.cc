@@ -57,12 +57,23 @@ Target planar_target(const std::string& name, const std::string& ending, const O
   return target;
 }
 
+Target plan_target(const std::string& name, const std::string& ending) {
+  if (ending == ".json") return {name, Target::Kind::report};
+  if (ending == ".html" || ending == ".htm") return {name, Target::Kind::page};
+  throw UsageError((name == standard_stream ? "--format '" + ending.substr(1) + "'" : name + ": the ending") +
+                   " tells no format that is written (json, html)");
+}
+
 Target target_of(const std::string& name, const Options& options) {
   if (is_planar(options.command)) {
     const bool has_default = options.command == "polygon" || options.command == "envelope";
     if (name != standard_stream) return planar_target(name, ending_of(name), options);
     const std::string format = options.format.empty() ? (has_default ? "wkt" : "svg") : options.format;
     return planar_target(name, in_small_letters("." + format), options);
+  }
+  if (options.command == "assembly") {
+    if (name != standard_stream) return plan_target(name, ending_of(name));
+    return plan_target(name, in_small_letters("." + (options.format.empty() ? "json" : options.format)));
   }
   if (options.command == "section") return drawing_target(name);
   if (options.command == "distance") return trail_target(name);

@@ -43,9 +43,17 @@ struct ReadReport {
   std::vector<std::string> warnings;  ///< what the file holds and the mesh does not
 };
 
+/// Faces of a mesh that a file holds as one: from `first_face` to the next group's.
+struct MeshGroup {
+  std::string object;  ///< may be empty
+  std::string group;   ///< may be empty
+  std::size_t first_face = 0;
+};
+
 struct MeshFile {
   Mesh mesh;
   ReadReport report;
+  std::vector<MeshGroup> groups;  ///< of OBJ: what its lines `o` and `g` tell; none where a file has none of them
 };
 
 /// Reads a mesh: OFF, OBJ, STL (text, binary) or PLY (text, binary of both byte orders), told by content.

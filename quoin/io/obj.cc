@@ -39,7 +39,9 @@ class ObjReader {
         read_face();
       } else if (keyword == "o" && file_.mesh.name.empty() && lines_.words().size() > 1) {
         file_.mesh.name = lines_.words()[1];
+        begin_group();
       } else {
+        if (keyword == "o" || keyword == "g") begin_group();
         skip(keyword);
       }
     }
@@ -56,6 +58,16 @@ class ObjReader {
     }
     if (!is_known_statement(keyword)) lines_.fail(quoted(keyword) + " is no statement of an OBJ file");
     ++skipped_[std::string(keyword)];
+  }
+
+  /// A new object begins without a group.
+  void begin_group() {
+    const auto& words = lines_.words();
+    std::string name;
+    for (std::size_t k = 1; k < words.size(); ++k) name += (k > 1 ? " " : "") + std::string(words[k]);
+    const bool is_object = words[0] == "o";
+    const std::string object = file_.groups.empty() ? std::string() : file_.groups.back().object;
+    file_.groups.push_back({is_object ? name : object, is_object ? std::string() : name, file_.mesh.face_count()});
   }
 
   void read_vertex() {

@@ -31,4 +31,11 @@ std::optional<std::vector<Polytope>> convex_pieces(const Brep& boundary, const C
   return pieces;
 }
 
+Polytope hull_of_boundary(const Brep& boundary, const Context& context) {
+  std::vector<PointId> corners = boundary.loop_vertices;
+  std::sort(corners.begin(), corners.end());
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  return Polytope::hull_of(boundary.points, corners, context);
+}
+
 }  // namespace quoin

@@ -15,4 +15,7 @@ namespace quoin {
 /// apart. Exact, O(n log n). @throws Cancelled
 std::optional<std::vector<Polytope>> convex_pieces(const Brep& boundary, const Context& context);
 
+/// The hull of a boundary's vertices. Exact, O(n log n).
+Polytope hull_of_boundary(const Brep& boundary, const Context& context);
+
 }  // namespace quoin

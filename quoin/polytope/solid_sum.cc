@@ -12,7 +12,7 @@
 
 #include "quoin/base/error.h"
 #include "quoin/polytope/convolution.h"
-#include "quoin/polytope/meeting.h"
+#include "quoin/polytope/solid_meeting.h"
 #include "quoin/solid/overlay/overlay.h"
 #include "quoin/solid/placement.h"
 #include "quoin/solid/shapes.h"
@@ -76,7 +76,7 @@ Solid minkowski_sum(const Solid& a, const Solid& b, const Context& context) {
   if (a.is_empty() || b.is_empty()) return {};
   const SharedLeaf first = leaf_of(a, "the first operand", context);
   const SharedLeaf second = leaf_of(b, "the second operand", context);
-  Meeting meeting(a.boundary(), first, b.boundary(), second, context);
+  SolidMeeting meeting(a.boundary(), first, b.boundary(), second, context);
   const auto kind_at = [&](const RationalPoint3& t) {
     return meeting.with_reflection_at(t) ? CellVerdict::inside : CellVerdict::hole;
   };
@@ -94,7 +94,7 @@ Solid erosion(const Solid& a, const Solid& b, const Context& context) {
   const Solid reflected_tool = reflected(b, {}, context);
   const SharedLeaf turned = leaf_of(reflected_tool, "the second operand", context);
   const SharedLeaf surface = convolve(rest, turned, context);
-  Meeting meeting(complement.boundary(), rest, reflected_tool.boundary(), turned, context);
+  SolidMeeting meeting(complement.boundary(), rest, reflected_tool.boundary(), turned, context);
   const auto kind_at = [&](const RationalPoint3& t) {
     if (!is_in_bounds(t + vertex_of(*tool, tool->tiles[0][0]), *solid)) return CellVerdict::outside;
     return meeting.with_reflection_at(t) ? CellVerdict::inside : CellVerdict::hole;

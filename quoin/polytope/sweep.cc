@@ -6,6 +6,7 @@
 
 #include "quoin/base/error.h"
 #include "quoin/polytope/convex_boundary.h"
+#include "quoin/polytope/convex_pieces.h"
 #include "quoin/polytope/decomposition.h"
 #include "quoin/polytope/half_space.h"
 #include "quoin/polytope/minkowski_sum.h"
@@ -14,14 +15,6 @@
 namespace quoin {
 
 namespace {
-
-Polytope polytope_of(const Solid& convex, const Context& context) {
-  const Brep& boundary = convex.boundary();
-  std::vector<PointId> corners = boundary.loop_vertices;
-  std::sort(corners.begin(), corners.end());
-  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-  return Polytope::hull_of(boundary.points, corners, context);
-}
 
 /// The box about a solid and what a polytope reaches from it to all sides.
 std::array<RationalPoint3, 2> box_around(const Solid& solid, const Polytope& polytope) {
@@ -46,7 +39,7 @@ Solid minkowski_sum(const Solid& a, const Polytope& b, const Context& context) {
   if (a.is_empty()) return {};
   std::vector<Solid> sums;
   for (const Solid& piece : convex_decomposition(a, context).pieces) {
-    const Polytope p = polytope_of(piece, context);
+    const Polytope p = hull_of_boundary(piece.boundary(), context);
     const PolytopeSum sum = minkowski_sum(p, b, context);
     sums.push_back(Solid::from_boundary(convex_boundary(exact_vertices(sum, p, b), sum.corners, sum.facet_begin, "sum"),
                                         "sum", context));

@@ -10,5 +10,6 @@ namespace quoin {
 std::string_view built_page_template();
 std::string_view built_picture_template();
 std::string_view built_sphere_template();
+std::string_view built_plan_template();
 
 }  // namespace quoin

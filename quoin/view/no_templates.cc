@@ -14,6 +14,9 @@ std::string_view built_picture_template() {
 std::string_view built_sphere_template() {
   return {};
 }
+std::string_view built_plan_template() {
+  return {};
+}
 
 }  // namespace quoin
 #endif

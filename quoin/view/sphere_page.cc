@@ -73,18 +73,22 @@ void write_sphere_page(std::ostream& out, const SpherePicture& picture) {
 void write_sphere_page(std::ostream& out, const SpherePicture& picture, std::string_view page_template) {
   const page_text::Template page = page_text::split_template(page_template);
   check_picture(picture);
+  out << page.before_title;
+  page_text::write_title(out, picture.title);
+  out << page.before_scene;
+  write_sphere_blocks(out, picture);
+  out << page.rest;
+}
+
+void write_sphere_blocks(std::ostream& out, const SpherePicture& picture) {
   std::vector<Vector3> points;
   for (const SpherePoint& point : picture.points) points.push_back(point.at);
   std::vector<Vector3> paths;
   for (const SphereEdge& edge : picture.edges) paths.insert(paths.end(), edge.path.begin(), edge.path.end());
-  out << page.before_title;
-  page_text::write_title(out, picture.title);
-  out << page.before_scene;
   write_data(out, picture);
   write_directions(out, "quoin-points", points);
   write_directions(out, "quoin-paths", paths);
   write_map(out, picture.map);
-  out << page.rest;
 }
 
 }  // namespace quoin

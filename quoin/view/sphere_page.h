@@ -19,4 +19,7 @@ void write_sphere_page(std::ostream& out, const SpherePicture& picture);
 /// The same into a given template: HTML holding the markers of page_format.h once each.
 void write_sphere_page(std::ostream& out, const SpherePicture& picture, std::string_view page_template);
 
+/// What of a page tells the picture, for pages that show more than a sphere. The picture was checked.
+void write_sphere_blocks(std::ostream& out, const SpherePicture& picture);
+
 }  // namespace quoin

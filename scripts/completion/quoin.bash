@@ -3,7 +3,7 @@
 _quoin() {
   local word="${COMP_WORDS[COMP_CWORD]}" previous="${COMP_WORDS[COMP_CWORD - 1]}"
   local commands="union intersection difference xor csg info check repair convert view classify section interfere \
-hull minkowski erode decompose gaussian-map distance width arrange overlay locate polygon envelope"
+hull minkowski erode decompose gaussian-map distance width assembly arrange overlay locate polygon envelope"
   local common="--json --threads --timeout --seed --weld -q --quiet -v --verbose -h --help"
   local makes="-o --output --format --accept-rounding"
   local draws="-o --output --format --labels"
@@ -22,6 +22,7 @@ hull minkowski erode decompose gaussian-map distance width arrange overlay locat
       local formats="off obj stl ply qsolid html"
       case "${COMP_WORDS[1]}" in
         arrange | overlay | locate | gaussian-map) formats="svg html" ;;
+        assembly) formats="json html" ;;
         polygon) formats="wkt geojson dxf svg html" ;;
       esac
       mapfile -t COMPREPLY < <(compgen -W "$formats" -- "$word")
@@ -31,7 +32,7 @@ hull minkowski erode decompose gaussian-map distance width arrange overlay locat
       mapfile -t COMPREPLY < <(compgen -W "even-odd nonzero positive" -- "$word")
       return
       ;;
-    --ball | --within | --translate | --direction | --threads | --timeout | --seed | --weld | --point | --line | --plane | --flatten | --distance | --precision) return ;;
+    --ball | --within | --translate | --direction | --threads | --timeout | --seed | --weld | --point | --line | --plane | --flatten | --distance | --precision | --base | --limit) return ;;
   esac
   if [[ $word == -* ]]; then
     local options="$common"
@@ -39,6 +40,9 @@ hull minkowski erode decompose gaussian-map distance width arrange overlay locat
       union | intersection | difference | xor | csg | repair | convert | view | hull | decompose) options+=" $makes" ;;
       minkowski | erode) options+=" $makes --ball --within --inner" ;;
       gaussian-map) options+=" $draws --cube" ;;
+      assembly)
+        options+=" -o --output --format --sequence --sequence-only --infinitesimal --direction --one-part --base --prune --limit"
+        ;;
       distance) options+=" --translate --direction --path -o --output" ;;
       classify) options+=" --point --points --line" ;;
       section) options+=" --plane -o --output" ;;

@@ -17,7 +17,7 @@ COMMANDS = {"union": ["a.off", "b.off"], "intersection": ["a.off", "b.off"], "di
             "classify": ["a.off", "--point", "1,1,1"], "section": ["a.off", "--plane", "0,0,1,1"],
             "interfere": ["a.off", "b.off"], "hull": ["a.off", "b.off"], "minkowski": ["a.off", "b.off"],
             "erode": ["a.off", "b.off"], "decompose": ["a.off", "-o", "p.off"],
-            "distance": ["a.off", "b.off"], "width": ["a.off"], "gaussian-map": ["a.off"]}
+            "distance": ["a.off", "b.off"], "width": ["a.off"], "gaussian-map": ["a.off"], "assembly": ["a.off", "far.off"]}
 MAKERS = ("union", "intersection", "difference", "xor", "csg", "repair", "convert", "view", "hull", "minkowski", "erode")
 
 

@@ -193,6 +193,7 @@ int main(int argc, char** argv) {
     write(directory + "/far.html", far_away());
     write(directory + "/empty.html", ViewScene{.title = "Nothing"});
     write_pictures(directory);
+    write_plans(directory);
     if (argc > 2 && std::string_view(argv[2]) == "--large") write(directory + "/large.html", ball(708));
   } catch (const Error& error) {
     std::cerr << "view_pages: " << error.what() << '\n';

@@ -7,5 +7,7 @@ namespace quoin {
 
 /// Writes the pages and drawings that pictures.test.mjs looks at.
 void write_pictures(const std::string& directory);
+/// Writes those that plan.test.mjs looks at.
+void write_plans(const std::string& directory);
 
 }  // namespace quoin

@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 import "../style.css";
 import "./cells.css";
-import type { CellsHook, CellsPage } from "./cells_page";
 
-function answer(hook: CellsHook): void {
-  (window as unknown as { quoinView: CellsHook }).quoinView = hook;
+/** What every page tells tests of itself. */
+export interface PageHook {
+  ready: boolean;
+  error?: string;
+}
+
+function answer(hook: PageHook): void {
+  (window as unknown as { quoinView: PageHook }).quoinView = hook;
 }
 
 /** Makes the page once it was painted, so that "Loading" is seen; what goes wrong is told where whoever opened it looks. */
-export function start(make: (host: HTMLElement) => CellsPage): void {
+export function start(make: (host: HTMLElement) => { hook(): PageHook }): void {
   const message = document.getElementById("message") as HTMLElement;
   const run = () => {
     try {

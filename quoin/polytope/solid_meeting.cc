@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "quoin/polytope/meeting.h"
+#include "quoin/polytope/solid_meeting.h"
 
 #include <algorithm>
 #include <array>
@@ -30,7 +30,8 @@ void append_corners(const Leaf& leaf, std::uint32_t first, std::vector<std::uint
 
 }  // namespace
 
-Meeting::Meeting(const Brep& a, SharedLeaf leaf_of_a, const Brep& b, SharedLeaf leaf_of_b, const Context& context)
+SolidMeeting::SolidMeeting(const Brep& a, SharedLeaf leaf_of_a, const Brep& b, SharedLeaf leaf_of_b,
+                           const Context& context)
     : leaf_of_a_(std::move(leaf_of_a)),
       leaf_of_b_(std::move(leaf_of_b)),
       locator_of_a_(a, context),
@@ -40,12 +41,12 @@ Meeting::Meeting(const Brep& a, SharedLeaf leaf_of_a, const Brep& b, SharedLeaf 
   append_corners(*leaf_of_a_, static_cast<std::uint32_t>(leaf_of_b_->vertices.size()), order_);
 }
 
-bool Meeting::is_inside(const SolidLocator& locator, const Leaf& leaf, std::uint32_t vertex,
-                        const RationalPoint3& t) const {
+bool SolidMeeting::is_inside(const SolidLocator& locator, const Leaf& leaf, std::uint32_t vertex,
+                             const RationalPoint3& t) const {
   return locator.locate(t - vertex_of(leaf, vertex)).place == Place::in;
 }
 
-bool Meeting::has_vertex_inside(const RationalPoint3& t) {
+bool SolidMeeting::has_vertex_inside(const RationalPoint3& t) {
   const auto of_b = static_cast<std::uint32_t>(leaf_of_b_->vertices.size());
   for (std::size_t i = 0; i < order_.size(); ++i) {
     context_.poll();
@@ -60,7 +61,7 @@ bool Meeting::has_vertex_inside(const RationalPoint3& t) {
   return false;
 }
 
-bool Meeting::with_reflection_at(const RationalPoint3& t) {
+bool SolidMeeting::with_reflection_at(const RationalPoint3& t) {
   if (has_vertex_inside(t)) return true;
   const std::array leaves{Expression::leaf(0), Expression::leaf(1)};
   const std::array both{leaf_of_a_, reflected(*leaf_of_b_, t, context_)};

@@ -16,12 +16,12 @@ namespace quoin {
 ///
 /// Exact. Vertices of one are looked for in the other first, those first that last told something; where none is, an
 /// intersection decides. So questions about nearby places that are answered by yes cost little.
-class Meeting {
+class SolidMeeting {
  public:
   using SharedLeaf = std::shared_ptr<const Leaf>;
 
   /// The boundaries must outlive it; the leaves are theirs.
-  Meeting(const Brep& a, SharedLeaf leaf_of_a, const Brep& b, SharedLeaf leaf_of_b, const Context& context);
+  SolidMeeting(const Brep& a, SharedLeaf leaf_of_a, const Brep& b, SharedLeaf leaf_of_b, const Context& context);
 
   /// Of a with all t - q for q of b, where no such place makes the two touch without meeting.
   bool with_reflection_at(const RationalPoint3& t);

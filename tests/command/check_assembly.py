@@ -1,0 +1,180 @@
+# SPDX-License-Identifier: Apache-2.0
+"""quoin assembly: known assemblies, limits, files, and what is refused.
+
+    check_assembly.py QUOIN
+"""
+import json
+import pathlib
+import subprocess
+import sys
+
+from command import DONE, FILE_TROUBLE, OUT_OF_TIME, REFUSED, USAGE, CommandTest, box, corners, main, CUBE_FACES
+
+EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "examples" / "assembly"
+
+
+def obj(objects):
+    """Objects of boxes: {name: [(low, high), ...]}, a group for each box."""
+    lines, first = [], 1
+    for name, boxes in objects.items():
+        lines.append(f"o {name}")
+        for k, (low, high) in enumerate(boxes):
+            lines.append(f"g piece{k}")
+            lines += ["v {} {} {}".format(*v) for v in corners(low, high)]
+            lines += ["f " + " ".join(str(first + i) for i in face) for face in CUBE_FACES]
+            first += 8
+    return "\n".join(lines) + "\n"
+
+
+class Assembly(CommandTest):
+    def example(self, name, *words):
+        return self.json_of("assembly", str(EXAMPLES / f"{name}.obj"), *words)
+
+    def test_split_star(self):
+        report = self.example("split_star", "--sequence")
+        self.assertEqual(report["sums"], {"total": 270, "facet": 48, "edge": 48, "vertex": 66, "separated": 108})
+        self.assertEqual(report["motion_space"], {"vertices": 14, "edges": 36, "faces": 24})
+        names = {(0, 1): "yellow", (0, -1): "turquoise", (1, 1): "purple", (1, -1): "blue", (2, 1): "red",
+                 (2, -1): "green"}
+        found = {tuple(s["direction"]): set(s["move"]) for s in report["solutions"]}
+        self.assertEqual(len(report["solutions"]), 8)
+        for x in (-1, 1):
+            for y in (-1, 1):
+                for z in (-1, 1):
+                    self.assertEqual(found[x, y, z], {names[axis, sign] for axis, sign in enumerate((x, y, z))})
+        for solution in report["solutions"]:
+            self.assertEqual(solution["cell"], "vertex")
+            self.assertEqual([float(c) for c in solution["exact"]], solution["direction"])
+        self.assertTrue(report["sequence"]["complete"])
+        self.assertEqual(len(report["sequence"]["steps"]), 5)
+        self.assertEqual(report["infinitesimal"]["stopped"], [])
+        self.assert_keys(report["seconds"], "maps reflections sums projections unions motion_space processing")
+
+    def test_pegs(self):
+        blind = {(s["move"][0], tuple(s["direction"])) for s in self.example("peg_blind")["solutions"]}
+        self.assertEqual(blind, {("peg", (0, 0, 1)), ("block", (0, 0, -1))})
+        through = {(s["move"][0], tuple(s["direction"])) for s in self.example("peg_through")["solutions"]}
+        self.assertEqual(through, {(name, (0, 0, z)) for name in ("peg", "block") for z in (-1, 1)})
+
+    def test_hooks_are_interlocked_but_loose(self):
+        report = self.example("hooks", "--sequence")
+        self.assertTrue(report["interlocked"])
+        self.assertEqual(report["solutions"], [])
+        self.assertEqual(report["sequence"]["interlocked"], [["first", "second"]])
+        self.assertFalse(report["sequence"]["complete"])
+        stopped = report["infinitesimal"]["stopped"]
+        self.assertEqual(len(stopped), report["infinitesimal"]["solution_count"])
+        self.assertIn(["first", "second"], stopped[0]["stopped_by"])
+        self.assertIn("interlocked", self.run_quoin("assembly", str(EXAMPLES / "hooks.obj")).stdout)
+
+    def test_burr_and_others_come_apart(self):
+        self.assertEqual(self.example("burr", "--sequence")["sequence"]["steps"][0]["move"], ["key"])
+        for name, steps in (("bracket", 5), ("gearbox", 29)):
+            sequence = self.example(name, "--sequence-only")["sequence"]
+            self.assertTrue(sequence["complete"])
+            self.assertEqual(len(sequence["steps"]), steps)
+
+    def test_limits(self):
+        path = str(EXAMPLES / "stack.obj")
+        report = self.json_of("assembly", path, "--direction", "0,0,1")
+        self.assertNotIn("solutions", report)
+        self.assertEqual([s["move"] for s in report["sequence"]["steps"]], [[f"box_{k:02}"] for k in range(10, 1, -1)])
+        report = self.json_of("assembly", path, "--sequence-only", "--base", "box_10", "--one-part")
+        for step in report["sequence"]["steps"]:
+            self.assertEqual(len(step["move"]), 1)
+            self.assertNotIn("box_10", step["move"])
+        self.assertTrue(report["sequence"]["complete"])
+        report = self.json_of("assembly", path, "--limit", "50")
+        self.assertFalse(report["all_listed"])
+        self.assertLessEqual(len(report["solutions"]), 50)
+        self.assertIn("--limit", report["warnings"][0])
+        self.assertIn("no part", self.run_quoin("assembly", path, "--base", "lid", code=REFUSED).stderr)
+        for mistake in (["--direction", "0,0,0"], ["--direction", "1,2"], ["--direction", "x,0,0"], ["--limit", "-1"],
+                        ["--limit", "x"], ["--base"]):
+            self.run_quoin("assembly", path, *mistake, code=USAGE)
+
+    def test_pruning_loses_nothing(self):
+        for name in ("split_star", "burr"):
+            def solutions(report):
+                return sorted((s["direction"], s["move"]) for s in report["solutions"])
+            self.assertEqual(solutions(self.example(name, "--prune")), solutions(self.example(name)))
+
+    def test_examples_are_what_their_script_makes(self):
+        subprocess.run([sys.executable, str(EXAMPLES / "make.py"), str(self.folder)], check=True)
+        for path in EXAMPLES.glob("*.obj"):
+            self.assertEqual(self.read(path.name), path.read_bytes(), path.name)
+
+    def test_infinitesimal_alone(self):
+        report = self.example("split_star", "--infinitesimal")
+        self.assertNotIn("solutions", report)
+        self.assertEqual(report["infinitesimal"]["solution_count"], 8)
+
+    def test_files_are_parts(self):
+        self.write("top.off", box((0, 0, 2), (2, 2, 3)))
+        report = self.json_of("assembly", "a.off", "top.off", "--sequence")
+        self.assertEqual([p["name"] for p in report["parts"]], ["a", "top"])
+        self.assertEqual(report["sequence"]["steps"][0]["move"], ["top"])
+        alone = self.json_of("assembly", "a.off", "--sequence")
+        self.assertEqual((alone["solutions"], alone["interlocked"], alone["sequence"]["complete"]), ([], False, True))
+        self.run_quoin("union", "a.off", "far.off", "-o", "both.qsolid")
+        report = self.json_of("assembly", "both.qsolid", "top.off")
+        self.assertEqual([p["pieces"] for p in report["parts"]], [2, 1])
+
+    def test_objects_and_groups(self):
+        self.write("two.obj", obj({"one": [((0, 0, 0), (1, 1, 1)), ((1, 0, 0), (2, 1, 1))], "two": [((0, 0, 1), (1, 1, 2))]}))
+        report = self.json_of("assembly", "two.obj")
+        self.assertEqual([(p["name"], p["pieces"]) for p in report["parts"]], [("one", 2), ("two", 1)])
+        # A bent part, its pieces as groups, or cut by the command.
+        bent = [((0, 0, 0), (2, 1, 1)), ((0, 1, 0), (1, 2, 1))]
+        self.write("bent.obj", obj({"bent": bent}))
+        self.assertEqual(self.json_of("assembly", "bent.obj")["parts"][0]["pieces"], 2)
+        whole = "\n".join(line for line in obj({"bent": bent}).splitlines() if not line.startswith("g "))
+        self.write("whole.obj", whole)
+        self.assertEqual(self.json_of("assembly", "whole.obj")["parts"][0]["pieces"], 2)
+        # Groups that only name faces.
+        lines = obj({"box": [((0, 0, 0), (1, 1, 1))]}).splitlines()
+        self.write("named.obj", "\n".join(lines[:-2] + ["g lid"] + lines[-2:]))
+        self.assertEqual(self.json_of("assembly", "named.obj")["parts"][0]["pieces"], 1)
+
+    def test_bad_parts(self):
+        refusal = self.run_quoin("assembly", "a.off", "b.off", code=REFUSED).stderr
+        self.assertIn("a and b overlap in a volume of 1", refusal)
+        self.assertIn("given twice", self.run_quoin("assembly", "a.off", "./a.off", code=REFUSED).stderr)
+        self.assertIn("does not bound a solid", self.run_quoin("assembly", "open.off", code=REFUSED).stderr)
+        self.run_quoin("csg", "!a", "a=a.off", "-o", "outside.qsolid")
+        self.assertIn("unbounded", self.run_quoin("assembly", "outside.qsolid", code=REFUSED).stderr)
+        self.run_quoin("difference", "a.off", "a.off", "-o", "nothing.qsolid")
+        self.assertIn("empty", self.run_quoin("assembly", "nothing.qsolid", code=REFUSED).stderr)
+        self.run_quoin("assembly", "missing.off", code=FILE_TROUBLE)
+        (self.folder / "deep").mkdir()
+        self.write("deep/a.off", box((5, 0, 0), (6, 1, 1)))
+        self.assertIn("two parts have the name 'a'", self.run_quoin("assembly", "a.off", "deep/a.off", code=REFUSED).stderr)
+        report = self.json_of("assembly", "a.off", "b.off", code=REFUSED)
+        self.assertEqual(report["exit_code"], REFUSED)
+
+    def test_out_of_time(self):
+        self.run_quoin("assembly", str(EXAMPLES / "gearbox.obj"), "--timeout", "0.05", code=OUT_OF_TIME)
+
+    def test_outputs(self):
+        path = str(EXAMPLES / "burr.obj")
+        self.run_quoin("assembly", path, "--sequence", "-o", "plan.json")
+        self.assertEqual(len(json.loads(self.read("plan.json"))["parts"]), 6)
+        done = self.run_quoin("assembly", path, "-o", "-")
+        self.assertEqual(len(json.loads(done.stdout)["solutions"]), 4)
+        self.assertIn("6 parts", done.stderr)
+        self.run_quoin("assembly", path, "-o", "plan.stl", code=USAGE)
+        self.run_quoin("assembly", path, "-o", "-", "--format", "off", code=USAGE)
+        self.run_quoin("assembly", path, "-o", "missing/plan.json", code=FILE_TROUBLE)
+        done = self.run_quoin("assembly", path, "--sequence", "-o", "plan.html", code=None)
+        if done.returncode != DONE:
+            self.assertIn("was not built", done.stderr)
+            return
+        page = self.read("plan.html")
+        for part in (b"quoin-plan", b"quoin-sphere", b"quoin-map", b"stick_x1"):
+            self.assertIn(part, page)
+        self.run_quoin("assembly", path, "--sequence", "-o", "again.html")
+        self.assertEqual(page.replace(b"plan", b""), self.read("again.html").replace(b"plan", b""))
+
+
+if __name__ == "__main__":
+    main()
