@@ -63,7 +63,7 @@ class TableHull {
 /// Equal points have equal rounded ones, so the first of them comes first.
 ConvexHull TableHull::solid() const {
   std::vector<std::uint32_t> order(simplex_.points.begin(), simplex_.points.end());
-  for (const std::uint32_t i : biased_random_order(rounded_, all(), context_)) {
+  for (const std::uint32_t i : biased_random_order(rounded_, all(), context_).points) {
     if (std::find(simplex_.points.begin(), simplex_.points.end(), i) == simplex_.points.end()) order.push_back(i);
   }
   std::vector<Point3> rounded;
