@@ -36,8 +36,8 @@ bool is_finite(const Point3& p) {
   throw InputError("point " + std::to_string(i) + " has a coordinate that is not finite");
 }
 
-/// No sum of magnitudes of the coordinates of a point is larger, but for rounding. The first point that is not finite is
-/// refused.
+/// No sum of magnitudes of the coordinates of a point is larger, but for rounding. The first point that is not finite
+/// is refused.
 double largest_of_finite(std::span<const Point3> points, const Context& context) {
   struct Found {
     double largest = 0;
@@ -72,11 +72,7 @@ ConvexHull hull_of_flat(std::span<const Point3> points, const Simplex& simplex, 
   std::vector<Point2> flat;
   flat.reserve(points.size());
   for (const Point3& p : points) flat.push_back({p[(axis + 1) % 3], p[(axis + 2) % 3]});
-  ConvexHull hull;
-  hull.dimension = 2;
-  add_facet(hull, planar_hull(flat, context));
-  put_in_order(hull, points.size());
-  return hull;
+  return hull_of_polygon(planar_hull(flat, context));
 }
 
 /// Four of the simplex first, then the others.
@@ -118,7 +114,6 @@ std::vector<std::uint32_t> candidates(std::span<const Point3> points, double lar
   return result;
 }
 
-/// Facets are not in order yet.
 ConvexHull hull_of_solid(std::span<const Point3> points, double largest, const Simplex& simplex,
                          const Context& context) {
   std::vector<std::uint32_t> chosen(points.size());
@@ -136,7 +131,7 @@ ConvexHull hull_of_solid(std::span<const Point3> points, double largest, const S
     const auto end = round + 1 == RandomOrder::rounds ? ordered.size() : random.round_begin[round + 1];
     if (begin < end) builder.insert_many(static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end), context);
   }
-  return join_facets(builder, order, context);
+  return join_facets(builder, order, points.size(), context);
 }
 
 }  // namespace
@@ -146,11 +141,7 @@ ConvexHull convex_hull(std::span<const Point3> points, const Context& context) {
   // Mostly the first few tell; being first, they are the first of points that equal them.
   Simplex simplex = find_simplex(points.first(std::min(points.size(), many_points)), context);
   if (simplex.count < 4 && points.size() > many_points) simplex = find_simplex(points, context);
-  if (simplex.count == 4) {
-    ConvexHull hull = hull_of_solid(points, largest, simplex, context);
-    put_in_order(hull, points.size());
-    return hull;
-  }
+  if (simplex.count == 4) return hull_of_solid(points, largest, simplex, context);
   if (simplex.count == 3) return hull_of_flat(points, simplex, context);
   ConvexHull hull;
   hull.dimension = static_cast<int>(simplex.count) - 1;

@@ -66,6 +66,8 @@ class HullBuilder {
     double offset;
   };
   const Plane& plane(std::uint32_t triangle) const { return planes_[triangle]; }
+  /// When sides are asked for no more.
+  void drop_planes() { UnsetVector<Plane>().swap(planes_); }
   /// In magnitude, of all points.
   double largest_coordinate() const { return largest_; }
   /// A point inside, if some double is.

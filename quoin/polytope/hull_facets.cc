@@ -2,6 +2,7 @@
 #include "quoin/polytope/hull_facets.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <numeric>
 #include <utility>
@@ -31,7 +32,7 @@ class FacetJoiner {
     find_flat_edges();
     builder_.drop_planes();
     if (has_flat_edges_) count_rims();
-    put_in_order(facets());
+    put_in_order(triangular_facets());
     ConvexHull hull;
     hull.dimension = 3;
     write_corners(hull);
@@ -66,7 +67,7 @@ class FacetJoiner {
 
   void find_flat_edges();
   void count_rims();
-  UnsetVector<Facet> facets() const;
+  UnsetVector<Facet> triangular_facets() const;
   void append_polygons(UnsetVector<Facet>& facets);
   void put_in_order(UnsetVector<Facet> facets);
   void write_corners(ConvexHull& hull) const;
@@ -80,13 +81,13 @@ class FacetJoiner {
   std::span<const std::uint32_t> names_;
   std::size_t name_count_;
   const Context& context_;
-  mutable std::vector<std::uint8_t> edges_;  // by triangle: which are flat, which belong to a facet already
+  std::vector<std::uint8_t> edges_;  // by triangle: which are flat, which belong to a facet already
   bool has_flat_edges_ = false;
   std::vector<std::uint32_t> rims_;  // by point: edges that are not flat; if any is
   UnsetVector<Facet> facets_;        // in order
 };
 
-/// Each of the one of its two triangles that comes first; so flags of a triangle are set from several threads.
+/// Each from the one of its two triangles that comes first; so flags of a triangle are set from several threads.
 void FacetJoiner::find_flat_edges() {
   std::atomic<bool> has_any{false};
   const auto set = [&](std::uint32_t t, std::uint8_t flag) {
@@ -156,7 +157,7 @@ FacetJoiner::Facet FacetJoiner::triangle_facet(std::uint32_t t) const {
 }
 
 /// In any order.
-UnsetVector<FacetJoiner::Facet> FacetJoiner::facets() const {
+UnsetVector<FacetJoiner::Facet> FacetJoiner::triangular_facets() const {
   const auto is_triangle = [&](std::size_t t) { return (edges_[t] & (all_flat | free_place)) == 0; };
   std::vector<std::size_t> places(chunk_count(triangles_.size(), grain));
   for_each_chunk(context_, triangles_.size(), grain, [&](const Chunk& chunk) {
@@ -208,9 +209,9 @@ void FacetJoiner::put_in_order(UnsetVector<Facet> facets) {
   for (std::size_t f = 0; f < facets.size(); f += facets.size() / 1024 + 1) sample.push_back(facets[f].first);
   std::sort(sample.begin(), sample.end());
   const std::size_t parts = std::clamp<std::size_t>(facets.size() / grain, 1, context_.threads());
-  std::vector<std::size_t> bounds{0};
-  for (std::size_t p = 1; p < parts; ++p) bounds.push_back(sample[sample.size() * p / parts]);
-  bounds.push_back(name_count_);
+  std::vector<std::size_t> bounds(parts + 1, 0);
+  for (std::size_t p = 1; p < parts; ++p) bounds[p] = sample[sample.size() * p / parts];
+  bounds[parts] = name_count_;
   // Of each name: how many facets it begins, then where the next of them goes.
   UnsetVector<std::uint32_t> places(name_count_);
   std::vector<std::size_t> totals(parts + 1, 0);
@@ -245,7 +246,7 @@ void FacetJoiner::put_in_order(UnsetVector<Facet> facets) {
 }
 
 void FacetJoiner::write_corners(ConvexHull& hull) const {
-  hull.facet_begin.resize(facets_.size() + 1);
+  hull.facet_begin.assign(facets_.size() + 1, 0);
   for_each_chunk(context_, facets_.size(), grain, [&](const Chunk& chunk) {
     for (std::size_t f = chunk.begin; f < chunk.end; ++f) {
       std::size_t size = 0;

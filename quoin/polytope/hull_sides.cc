@@ -33,7 +33,7 @@ constexpr std::uint32_t sample_size = 1024;
 struct HullBuilder::Sides {
   struct Side {
     Hand hand;
-    std::vector<std::uint32_t> late;  // points that would change a border, or found no place
+    std::vector<std::uint32_t> late;   // points that would change a border, or found no place
     std::uint32_t begins_near = none;  // its first point
   };
   std::size_t axis = 0;
