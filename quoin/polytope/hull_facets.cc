@@ -40,12 +40,11 @@ class FacetJoiner {
   }
 
  private:
-  /// One side of a triangle where a facet begins, at its smallest corner: all that orders facets. An edge runs along
-  /// one facet in one direction.
+  /// From its smallest corner on. The first two order all facets, as an edge runs along one facet in one direction.
   struct Facet {
     std::uint32_t first;
     std::uint32_t second;
-    std::uint32_t triangle;
+    std::uint32_t rest;  // the third corner, if no edge is flat; else the triangle that has the first edge
   };
   struct Edge {
     std::uint32_t triangle;
@@ -139,9 +138,15 @@ FacetJoiner::Edge FacetJoiner::next_of_facet(Edge edge) const {
 
 template <class Visit>
 void FacetJoiner::for_each_vertex(const Facet& facet, const Visit& visit) const {
+  if (!has_flat_edges_) {
+    visit(facet.first);
+    visit(facet.second);
+    visit(facet.rest);
+    return;
+  }
   unsigned k = 0;
-  while (names_[triangles_[facet.triangle].corners[k]] != facet.first) ++k;
-  const Edge begin{facet.triangle, k};
+  while (names_[triangles_[facet.rest].corners[k]] != facet.first) ++k;
+  const Edge begin{facet.rest, k};
   Edge edge = begin;
   do {
     if (is_vertex(corner(edge))) visit(names_[corner(edge)]);
@@ -153,7 +158,7 @@ FacetJoiner::Facet FacetJoiner::triangle_facet(std::uint32_t t) const {
   const auto& corners = triangles_[t].corners;
   const std::array<std::uint32_t, 3> n{names_[corners[0]], names_[corners[1]], names_[corners[2]]};
   const unsigned k = n[0] < n[1] ? (n[0] < n[2] ? 0 : 2) : (n[1] < n[2] ? 1 : 2);
-  return {n[k], n[next(k)], t};
+  return {n[k], n[next(k)], has_flat_edges_ ? t : n[next(next(k))]};
 }
 
 /// In any order.
