@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <new>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #if defined(__linux__)
@@ -50,5 +52,33 @@ class LargeAllocator {
 /// For arrays that grow to millions of elements.
 template <class T>
 using LargeVector = std::vector<T, LargeAllocator<T>>;
+
+/// The same, but elements that are made without a value have none, so that the threads that fill them touch the memory
+/// first. For trivial types.
+template <class T>
+class UnsetAllocator : public LargeAllocator<T> {
+  static_assert(std::is_trivially_default_constructible_v<T>);
+
+ public:
+  using value_type = T;
+  template <class U>
+  struct rebind {
+    using other = UnsetAllocator<U>;
+  };
+  UnsetAllocator() = default;
+  template <class U>
+  UnsetAllocator(const UnsetAllocator<U>&) {}  // NOLINT(google-explicit-constructor)
+
+  template <class U>
+  void construct(U* place) {
+    ::new (static_cast<void*>(place)) U;
+  }
+  template <class U, class... Values>
+  void construct(U* place, Values&&... values) {
+    ::new (static_cast<void*>(place)) U(std::forward<Values>(values)...);
+  }
+};
+template <class T>
+using UnsetVector = std::vector<T, UnsetAllocator<T>>;
 
 }  // namespace quoin

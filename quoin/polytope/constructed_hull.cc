@@ -63,7 +63,7 @@ class TableHull {
 /// Equal points have equal rounded ones, so the first of them comes first.
 ConvexHull TableHull::solid() const {
   std::vector<std::uint32_t> order(simplex_.points.begin(), simplex_.points.end());
-  for (const std::uint32_t i : biased_random_order(rounded_, all(), context_)) {
+  for (const std::uint32_t i : biased_random_order(rounded_, all(), context_).points) {
     if (std::find(simplex_.points.begin(), simplex_.points.end(), i) == simplex_.points.end()) order.push_back(i);
   }
   std::vector<Point3> rounded;
@@ -77,9 +77,7 @@ ConvexHull TableHull::solid() const {
     if (i % 64 == 0) context_.poll();
     builder.insert(i);
   }
-  ConvexHull hull = join_facets(builder, order, context_);
-  put_in_order(hull, ids_.size());
-  return hull;
+  return join_facets(builder, order, ids_.size(), context_);
 }
 
 /// Projected along the first axis that its normal is not perpendicular to.
@@ -104,13 +102,8 @@ ConvexHull TableHull::flat() const {
   });
   const auto is_equal = [&](std::uint32_t i, std::uint32_t k) { return order_of(i, k) == Sign::zero; };
   order.erase(std::unique(order.begin(), order.end(), is_equal), order.end());
-  ConvexHull hull;
-  hull.dimension = 2;
-  hull.corners = planar_hull_of_sorted(
-      order, [&](std::uint32_t i, std::uint32_t k, std::uint32_t l) { return turn(i, k, l, axis); });
-  hull.facet_begin.push_back(hull.corners.size());
-  put_in_order(hull, ids_.size());
-  return hull;
+  return hull_of_polygon(planar_hull_of_sorted(
+      order, [&](std::uint32_t i, std::uint32_t k, std::uint32_t l) { return turn(i, k, l, axis); }));
 }
 
 }  // namespace

@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "quoin/base/error.h"
+#include "quoin/base/large_vector.h"
+#include "quoin/base/parallel.h"
 #include "quoin/polytope/hull_builder.h"
 #include "quoin/polytope/hull_facets.h"
 #include "quoin/polytope/hull_filter.h"
@@ -23,11 +25,41 @@ namespace {
 
 /// Below this many points, leaving out those inside costs more than it saves.
 constexpr std::size_t many_points = 1000;
+constexpr std::size_t grain = 16384;
 constexpr double half_range = std::numeric_limits<double>::max() / 2;
 
-void require_finite(std::size_t i, double x, double y, double z) {
-  if (std::isfinite(x) && std::isfinite(y) && std::isfinite(z)) return;
+bool is_finite(const Point3& p) {
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+[[noreturn]] void refuse(std::size_t i) {
   throw InputError("point " + std::to_string(i) + " has a coordinate that is not finite");
+}
+
+/// No sum of magnitudes of the coordinates of a point is larger, but for rounding. The first point that is not finite
+/// is refused.
+double largest_of_finite(std::span<const Point3> points, const Context& context) {
+  struct Found {
+    double largest = 0;
+    std::size_t first_not_finite;
+  };
+  std::vector<Found> chunks(chunk_count(points.size(), grain));
+  for_each_chunk(context, points.size(), grain, [&](const Chunk& chunk) {
+    Found found{0, points.size()};
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      const Point3& p = points[i];
+      const double size = std::fabs(p.x) + std::fabs(p.y) + std::fabs(p.z);
+      if (!(size < half_range) && !is_finite(p)) found.first_not_finite = std::min(found.first_not_finite, i);
+      found.largest = std::max(found.largest, size);
+    }
+    chunks[chunk.index] = found;
+  });
+  double largest = 0;
+  for (const Found& found : chunks) {
+    if (found.first_not_finite < points.size()) refuse(found.first_not_finite);
+    largest = std::max(largest, found.largest);
+  }
+  return largest;
 }
 
 void add_facet(ConvexHull& hull, std::span<const std::uint32_t> corners) {
@@ -40,11 +72,7 @@ ConvexHull hull_of_flat(std::span<const Point3> points, const Simplex& simplex, 
   std::vector<Point2> flat;
   flat.reserve(points.size());
   for (const Point3& p : points) flat.push_back({p[(axis + 1) % 3], p[(axis + 2) % 3]});
-  ConvexHull hull;
-  hull.dimension = 2;
-  add_facet(hull, planar_hull(flat, context));
-  put_in_order(hull, points.size());
-  return hull;
+  return hull_of_polygon(planar_hull(flat, context));
 }
 
 /// Four of the simplex first, then the others.
@@ -56,17 +84,19 @@ std::vector<std::uint32_t> after_simplex(const Simplex& simplex, std::span<const
   return order;
 }
 
-std::vector<Point3> gather(std::span<const Point3> points, std::span<const std::uint32_t> order) {
-  std::vector<Point3> result;
-  result.reserve(order.size());
-  for (const std::uint32_t i : order) result.push_back(points[i]);
+LargeVector<Point3> gather(std::span<const Point3> points, std::span<const std::uint32_t> order,
+                           const Context& context) {
+  LargeVector<Point3> result(order.size());
+  for_each_chunk(context, order.size(), grain, [&](const Chunk& chunk) {
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) result[i] = points[order[i]];
+  });
   return result;
 }
 
 /// All points but those that are surely inside the hull of a few, if these are many.
 std::vector<std::uint32_t> candidates(std::span<const Point3> points, double largest, const Simplex& simplex,
                                       const Context& context) {
-  const std::vector<Point3> few = gather(points, after_simplex(simplex, extremes(points, context)));
+  const LargeVector<Point3> few = gather(points, after_simplex(simplex, extremes(points, context)), context);
   HullBuilder small(few);
   for (std::uint32_t i = 4; i < few.size(); ++i) small.insert(i);
   const HullFilter filter(small, largest);
@@ -84,41 +114,34 @@ std::vector<std::uint32_t> candidates(std::span<const Point3> points, double lar
   return result;
 }
 
-/// Facets are not in order yet.
 ConvexHull hull_of_solid(std::span<const Point3> points, double largest, const Simplex& simplex,
                          const Context& context) {
   std::vector<std::uint32_t> chosen(points.size());
   std::iota(chosen.begin(), chosen.end(), 0U);
   if (points.size() >= many_points) chosen = candidates(points, largest, simplex, context);
-  const std::vector<std::uint32_t> order = after_simplex(simplex, biased_random_order(points, chosen, context));
-  const std::vector<Point3> ordered = gather(points, order);
+  const RandomOrder random = biased_random_order(points, chosen, context);
+  const std::vector<std::uint32_t> order = after_simplex(simplex, random.points);
+  const LargeVector<Point3> ordered = gather(points, order, context);
   HullBuilder builder(ordered);
-  builder.reserve(ordered.size());
-  for (std::uint32_t i = 4; i < ordered.size(); ++i) {
-    if (i % 256 == 0) context.poll();
-    builder.insert(i);
+  // Threads leave a few places empty.
+  builder.reserve(context.threads() > 1 ? ordered.size() + ordered.size() / 16 + 4096 : ordered.size());
+  for (std::size_t round = 0; round < RandomOrder::rounds; ++round) {
+    // Where rounds begin does not matter to a few points, of which four may have been in the simplex.
+    const auto begin = std::max<std::size_t>(4, random.round_begin[round]);
+    const auto end = round + 1 == RandomOrder::rounds ? ordered.size() : random.round_begin[round + 1];
+    if (begin < end) builder.insert_many(static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end), context);
   }
-  return join_facets(builder, order, context);
+  return join_facets(builder, order, points.size(), context);
 }
 
 }  // namespace
 
 ConvexHull convex_hull(std::span<const Point3> points, const Context& context) {
-  double largest = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Point3& p = points[i];
-    const double size = std::fabs(p.x) + std::fabs(p.y) + std::fabs(p.z);
-    if (!(size < half_range)) require_finite(i, p.x, p.y, p.z);
-    largest = std::max(largest, size);
-  }
+  const double largest = largest_of_finite(points, context);
   // Mostly the first few tell; being first, they are the first of points that equal them.
   Simplex simplex = find_simplex(points.first(std::min(points.size(), many_points)), context);
   if (simplex.count < 4 && points.size() > many_points) simplex = find_simplex(points, context);
-  if (simplex.count == 4) {
-    ConvexHull hull = hull_of_solid(points, largest, simplex, context);
-    put_in_order(hull, points.size());
-    return hull;
-  }
+  if (simplex.count == 4) return hull_of_solid(points, largest, simplex, context);
   if (simplex.count == 3) return hull_of_flat(points, simplex, context);
   ConvexHull hull;
   hull.dimension = static_cast<int>(simplex.count) - 1;
@@ -128,7 +151,9 @@ ConvexHull convex_hull(std::span<const Point3> points, const Context& context) {
 }
 
 ConvexHull convex_hull(std::span<const Point2> points, const Context& context) {
-  for (std::size_t i = 0; i < points.size(); ++i) require_finite(i, points[i].x, points[i].y, 0);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!is_finite({points[i].x, points[i].y, 0})) refuse(i);
+  }
   const std::vector<std::uint32_t> around = planar_hull(points, context);
   ConvexHull hull;
   hull.dimension = around.size() > 2 ? 2 : static_cast<int>(around.size()) - 1;

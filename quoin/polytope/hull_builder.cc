@@ -42,7 +42,7 @@ void HullBuilder::start() {
   // From outside, the triangle opposite to corner 3 turns left.
   const std::array<std::array<std::uint32_t, 3>, 4> faces{
       {{p[0], p[1], p[2]}, {p[0], p[3], p[1]}, {p[1], p[3], p[2]}, {p[2], p[3], p[0]}}};
-  for (const auto& [a, b, c] : faces) new_triangle(a, b, c);
+  for (const auto& [a, b, c] : faces) new_triangle(single_, a, b, c);
   triangles_[0].across = {1, 2, 3};
   triangles_[1].across = {3, 2, 0};
   triangles_[2].across = {1, 3, 0};
@@ -82,15 +82,17 @@ void HullBuilder::find_centre() {
 ///
 /// Coordinates of points of a table err by u M (below M = 2^-1000, where that may be less than a unit, 2^-120 pays):
 /// six products of three differences of at most 2 M, each off by 2 u M, by 144 u M^3 together.
-std::uint32_t HullBuilder::new_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+std::uint32_t HullBuilder::new_triangle(Hand& hand, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
   std::uint32_t triangle;
-  if (free_.empty()) {
+  if (!hand.free.empty()) {
+    triangle = hand.free.back();
+    hand.free.pop_back();
+  } else if (hand.fresh < hand.fresh_end) {
+    triangle = hand.fresh++;
+  } else {
     triangle = static_cast<std::uint32_t>(triangles_.size());
     triangles_.emplace_back();
     planes_.emplace_back();
-  } else {
-    triangle = free_.back();
-    free_.pop_back();
   }
   const Point3& p = points_[a];
   const Point3& q = points_[b];
@@ -99,6 +101,7 @@ std::uint32_t HullBuilder::new_triangle(std::uint32_t a, std::uint32_t b, std::u
   planes_[triangle] = {n.x, n.y, n.z, n.x * p.x + n.y * p.y + n.z * p.z};
   Triangle& t = triangles_[triangle];
   t.corners = {a, b, c};
+  t.mark = 0;
   double slack = (24 * u * (1 + 0x1p-20)) * largest_ * products + 0x1p-1000 * largest_ + 0x1p-120;
   if (table_ != nullptr) slack += 160 * u * largest_ * largest_ * largest_;
   constexpr double most = std::numeric_limits<float>::max();
@@ -136,44 +139,50 @@ Sign HullBuilder::side_from_mean(const Triangle& triangle, unsigned edge, std::u
   return exact_orientation(mean, exact(a), exact(b), exact(point));
 }
 
-/// A triangle that sees the point, or none.
-std::uint32_t HullBuilder::locate(std::uint32_t point) const {
-  std::uint32_t triangle = hint_;
+/// A triangle that sees the point, or in whose cone from the centre it lies, or one that the hand must not replace.
+HullBuilder::Found HullBuilder::locate(const Hand& hand, std::uint32_t point) const {
+  std::uint32_t triangle = hand.hint;
   std::uint32_t from = none;
   for (;;) {
-    if (side(triangle, point) == Sign::positive) return triangle;
     const Triangle& t = triangles_[triangle];
+    if (t.mark == hand.border) return {triangle, Place::border};
+    if (side(triangle, point) == Sign::positive) return {triangle, Place::outside};
     unsigned k = 0;
     while (k < 3 && (t.across[k] == from || side_from_centre(t, k, point) != Sign::negative)) ++k;
-    if (k == 3) return none;
+    if (k == 3) return {triangle, Place::inside};
     from = triangle;
     triangle = t.across[k];
   }
 }
 
-/// Marks all that see the point; an edge between these and the others, of one that sees it.
-HullBuilder::Edge HullBuilder::mark_visible(std::uint32_t first, std::uint32_t point) {
-  if (epoch_ > none - 4) {
-    epoch_ = 0;
+/// Marks all that see the point; an edge between these and the others, of one that sees it, or none if one that the
+/// hand must not replace sees it too.
+HullBuilder::Edge HullBuilder::mark_visible(Hand& hand, std::uint32_t first, std::uint32_t point) {
+  if (hand.epoch > none - 4) {
+    hand.epoch = 0;
     for (Triangle& t : triangles_) t.mark = 0;
   }
-  epoch_ += 2;
+  hand.epoch += 2;
+  const std::uint32_t epoch = hand.epoch;
+  std::vector<std::uint32_t>& visible = hand.visible;
   Edge rim{none, 0};
-  visible_.assign(1, first);
-  triangles_[first].mark = epoch_;
-  for (std::size_t i = 0; i < visible_.size(); ++i) {
-    const std::uint32_t triangle = visible_[i];
+  visible.assign(1, first);
+  triangles_[first].mark = epoch;
+  for (std::size_t i = 0; i < visible.size(); ++i) {
+    const std::uint32_t triangle = visible[i];
     for (unsigned k = 0; k < 3; ++k) {
       const std::uint32_t across = triangles_[triangle].across[k];
       std::uint32_t& mark = triangles_[across].mark;
-      if (mark == epoch_) continue;
-      if (mark != epoch_ + 1) {
+      if (mark == epoch) continue;
+      if (mark != epoch + 1) {
+        const bool is_border = mark == hand.border;
         if (side(across, point) == Sign::positive) {
-          mark = epoch_;
-          visible_.push_back(across);
+          if (is_border) return {none, 0};
+          mark = epoch;
+          visible.push_back(across);
           continue;
         }
-        mark = epoch_ + 1;
+        if (!is_border) mark = epoch + 1;
       }
       rim = {triangle, k};
     }
@@ -182,7 +191,7 @@ HullBuilder::Edge HullBuilder::mark_visible(std::uint32_t first, std::uint32_t p
 }
 
 /// Goes once around what is visible, with it on the left.
-void HullBuilder::replace_visible(const Edge& rim, std::uint32_t point) {
+void HullBuilder::replace_visible(Hand& hand, const Edge& rim, std::uint32_t point) {
   std::uint32_t first = none;
   std::uint32_t before = none;
   std::uint32_t triangle = rim.triangle;
@@ -191,9 +200,8 @@ void HullBuilder::replace_visible(const Edge& rim, std::uint32_t point) {
     const std::uint32_t outer = triangles_[triangle].across[k];
     const std::uint32_t a = triangles_[triangle].corners[k];
     const std::uint32_t b = triangles_[triangle].corners[next(k)];
-    const std::uint32_t added = new_triangle(a, b, point);
+    const std::uint32_t added = new_triangle(hand, a, b, point);
     triangles_[added].across[0] = outer;
-    triangles_[added].mark = 0;
     triangles_[outer].across[index_of(triangles_[outer], triangle)] = added;
     if (before == none) {
       first = added;
@@ -203,7 +211,7 @@ void HullBuilder::replace_visible(const Edge& rim, std::uint32_t point) {
     }
     before = added;
     k = next(k);
-    while (triangles_[triangles_[triangle].across[k]].mark == epoch_) {
+    while (triangles_[triangles_[triangle].across[k]].mark == hand.epoch) {
       const std::uint32_t across = triangles_[triangle].across[k];
       k = next(index_of(triangles_[across], triangle));
       triangle = across;
@@ -211,18 +219,23 @@ void HullBuilder::replace_visible(const Edge& rim, std::uint32_t point) {
   } while (triangle != rim.triangle || k != rim.index);
   triangles_[before].across[1] = first;
   triangles_[first].across[2] = before;
-  for (const std::uint32_t seen : visible_) {
+  for (const std::uint32_t seen : hand.visible) {
     triangles_[seen].corners = {none, none, none};
-    free_.push_back(seen);
+    hand.free.push_back(seen);
   }
-  hint_ = before;
+  hand.hint = before;
 }
 
-bool HullBuilder::insert(std::uint32_t point) {
-  const std::uint32_t first = locate(point);
-  if (first == none) return false;
-  replace_visible(mark_visible(first, point), point);
-  return true;
+/// Changes nothing unless the point is outside and all is at hand. The rim of a disc of v triangles has at most v + 2
+/// edges.
+HullBuilder::Place HullBuilder::insert(Hand& hand, std::uint32_t point) {
+  const Found found = locate(hand, point);
+  if (found.place != Place::outside) return found.place;
+  const Edge rim = mark_visible(hand, found.triangle, point);
+  if (rim.triangle == none || !hand.has_room(hand.visible.size() + 2)) return Place::border;
+  replace_visible(hand, rim, point);
+  ++hand.inserted;
+  return Place::outside;
 }
 
 }  // namespace quoin

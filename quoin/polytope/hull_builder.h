@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "quoin/base/context.h"
 #include "quoin/base/large_vector.h"
 #include "quoin/base/sign.h"
 #include "quoin/kernel/constructions.h"
@@ -26,10 +27,10 @@ class HullBuilder {
   /// Triangle {corners, across}: across[k] is its neighbour at the edge from corner k to the next. A free place has no
   /// corners.
   struct Triangle {
-    std::array<std::uint32_t, 3> corners{none, none, none};
-    std::array<std::uint32_t, 3> across{none, none, none};
-    std::uint32_t mark = 0;
-    float slack = 0;  ///< error of `plane` at any of the points
+    std::array<std::uint32_t, 3> corners;
+    std::array<std::uint32_t, 3> across;
+    std::uint32_t mark;
+    float slack;  ///< error of `plane` at any of the points
     bool is_free() const { return corners[0] == none; }
   };
 
@@ -41,9 +42,14 @@ class HullBuilder {
   /// For as many points on the hull.
   void reserve(std::size_t vertices);
   /// Adds a point; false if it is in the hull already.
-  bool insert(std::uint32_t point);
+  bool insert(std::uint32_t point) { return insert(single_, point) == Place::outside; }
+  /// Adds points first ... end - 1, of which equal ones come in the order of their importance: only the first of them
+  /// may become a corner. On several threads where there are many (hull_sides.cc); not for points of a table.
+  /// @throws Cancelled; the hull is of no use then
+  void insert_many(std::uint32_t first, std::uint32_t end, const Context& context);
 
-  const LargeVector<Triangle>& triangles() const { return triangles_; }
+  /// Free ones among them.
+  std::span<const Triangle> triangles() const { return triangles_; }
   /// Where a point of the list lies to the plane of a triangle: positive outside.
   Sign side(std::uint32_t triangle, std::uint32_t point) const {
     const double value = distance(triangle, points_[point]);
@@ -60,6 +66,8 @@ class HullBuilder {
     double offset;
   };
   const Plane& plane(std::uint32_t triangle) const { return planes_[triangle]; }
+  /// When sides are asked for no more.
+  void drop_planes() { UnsetVector<Plane>().swap(planes_); }
   /// In magnitude, of all points.
   double largest_coordinate() const { return largest_; }
   /// A point inside, if some double is.
@@ -70,6 +78,28 @@ class HullBuilder {
     std::uint32_t triangle;
     unsigned index;
   };
+  enum class Place { outside, inside, border };
+  struct Found {
+    std::uint32_t triangle;
+    Place place;
+  };
+  /// What one thread inserts with. Marks of triangles: the epoch of what the last point sees, and one more of what was
+  /// asked and does not.
+  struct alignas(64) Hand {
+    std::vector<std::uint32_t> free;
+    std::uint32_t fresh = 0;  // to fresh_end: triangles that were never used
+    std::uint32_t fresh_end = 0;
+    bool may_grow = true;  // when these are used up
+    std::uint32_t epoch = 0;
+    std::uint32_t hint = 0;
+    std::uint32_t border = no_mark;  // the mark of triangles that it must not replace
+    std::vector<std::uint32_t> visible;
+    std::size_t inserted = 0;
+    bool has_room(std::size_t count) const { return may_grow || free.size() + (fresh_end - fresh) >= count; }
+  };
+  static constexpr std::uint32_t no_mark = 1;  // epochs are even and begin at 2
+  static constexpr std::uint32_t border_mark = none;
+  struct Sides;
 
   static unsigned next(unsigned k) { return k == 2 ? 0 : k + 1; }
   static unsigned index_of(const Triangle& triangle, std::uint32_t neighbour) {
@@ -86,21 +116,27 @@ class HullBuilder {
   void find_centre();
   Sign side_from_centre(const Triangle& triangle, unsigned edge, std::uint32_t point) const;
   Sign side_from_mean(const Triangle& triangle, unsigned edge, std::uint32_t point) const;
-  std::uint32_t locate(std::uint32_t point) const;
-  Edge mark_visible(std::uint32_t first, std::uint32_t point);
-  void replace_visible(const Edge& rim, std::uint32_t point);
-  std::uint32_t new_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
+  Place insert(Hand& hand, std::uint32_t point);
+  Found locate(const Hand& hand, std::uint32_t point) const;
+  Edge mark_visible(Hand& hand, std::uint32_t first, std::uint32_t point);
+  void replace_visible(Hand& hand, const Edge& rim, std::uint32_t point);
+  std::uint32_t new_triangle(Hand& hand, std::uint32_t a, std::uint32_t b, std::uint32_t c);
+
+  void insert_one_by_one(std::uint32_t first, std::uint32_t end, const Context& context);
+  void mark_borders(Sides& sides, std::uint32_t first, std::uint32_t end, const Context& context);
+  void hand_out_triangles(Sides& sides, std::uint32_t count);
+  void take_back(Sides& sides);
+  void insert_side(Sides& sides, std::size_t side, std::uint32_t first, std::uint32_t end, const Context& context);
+  void insert_late(std::uint32_t point);
 
   std::span<const Point3> points_;
   const Constructions* table_ = nullptr;  // if the points are but rounded
   std::span<const PointId> ids_;
   double largest_ = 0;  // coordinate
-  LargeVector<Triangle> triangles_;
-  LargeVector<Plane> planes_;
-  std::vector<std::uint32_t> free_;
-  std::vector<std::uint32_t> visible_;
-  std::uint32_t epoch_ = 0;  // marks: what the last point sees, and one more: what was asked and does not
-  std::uint32_t hint_ = 0;
+  UnsetVector<Triangle> triangles_;
+  UnsetVector<Plane> planes_;
+  Hand single_;
+  double rate_ = 1;  // part of the points that were outside, lately
   Point3 centre_{};
   bool has_centre_ = false;  // else it is the mean of the first four points: no double is near enough, or they are of a
                              // table

@@ -11,11 +11,11 @@
 namespace quoin {
 
 /// Joins coplanar triangles of a finished hull to facets, and drops what is no vertex then. `names`: what the points of
-/// the builder are called in the result. O(n), exact.
-ConvexHull join_facets(const HullBuilder& builder, std::span<const std::uint32_t> names, const Context& context);
+/// the builder are called in the result, less than `name_count`. Planes of the builder are dropped. O(n), exact.
+ConvexHull join_facets(HullBuilder& builder, std::span<const std::uint32_t> names, std::size_t name_count,
+                       const Context& context);
 
-/// Every facet from its smallest corner on, facets in lexicographic order, and the vertices. `name_count`: names are
-/// smaller. O(n) where few facets begin at a vertex.
-void put_in_order(ConvexHull& hull, std::size_t name_count);
+/// Of points in one plane, with one facet. O(n log n).
+ConvexHull hull_of_polygon(std::span<const std::uint32_t> corners);
 
 }  // namespace quoin

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "quoin/base/parallel.h"
+
 namespace quoin {
 
 HullFilter::HullFilter(const HullBuilder& hull, double largest_coordinate) {
@@ -43,17 +45,24 @@ void HullFilter::find_inner_ball(const HullBuilder& hull) {
 
 void HullFilter::append_others(std::span<const Point3> points, std::uint32_t step, std::vector<std::uint32_t>& others,
                                const Context& context) const {
-  Block block;
-  for (std::size_t i = 0; i < points.size(); i += step) {
-    const Point3& p = points[i];
-    const Vector3 d{p.x - centre_.x, p.y - centre_.y, p.z - centre_.z};
-    if (d.x * d.x + d.y * d.y + d.z * d.z < squared_radius_) continue;
-    block.add(static_cast<std::uint32_t>(i), p);
-    if (block.count < block_size) continue;
-    context.poll();
-    append_others(block, others);
-  }
-  append_others(block, others);
+  constexpr std::size_t grain = 65536;
+  const std::size_t count = chunk_count(points.size(), step);
+  std::vector<std::vector<std::uint32_t>> lists(chunk_count(count, grain));
+  for_each_chunk(context, count, grain, [&](const Chunk& chunk) {
+    Block block;
+    for (std::size_t k = chunk.begin; k < chunk.end; ++k) {
+      const Point3& p = points[k * step];
+      const Vector3 d{p.x - centre_.x, p.y - centre_.y, p.z - centre_.z};
+      if (d.x * d.x + d.y * d.y + d.z * d.z < squared_radius_) continue;
+      block.add(static_cast<std::uint32_t>(k * step), p);
+      if (block.count == block_size) append_others(block, lists[chunk.index]);
+    }
+    append_others(block, lists[chunk.index]);
+  });
+  std::size_t total = others.size();
+  for (const auto& list : lists) total += list.size();
+  others.reserve(total);
+  for (const auto& list : lists) others.insert(others.end(), list.begin(), list.end());
 }
 
 /// Without branches, so that several points are tested at once. A value that is no number lets its point pass.
