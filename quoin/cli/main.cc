@@ -53,7 +53,9 @@ int run(const Options& options) {
                                                {"decompose", run_decomposition},
                                                {"distance", run_distance},
                                                {"width", run_width},
-                                               {"gaussian-map", run_gaussian_map}};
+                                               {"gaussian-map", run_gaussian_map},
+                                               {"homology", run_homology},
+                                               {"persistence", run_persistence}};
   return runs.at(options.command)(options, context);
 }
 

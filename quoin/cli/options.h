@@ -21,6 +21,7 @@ struct Options {
   std::vector<std::string> points;   ///< of `classify`: "x,y,z"
   std::vector<std::string> lines;    ///< of `classify`: "x,y,z,dx,dy,dz"
   std::string points_file;           ///< of `classify`: a point per line, "-" for standard input
+  std::vector<std::string> primes;   ///< of `homology` and `persistence`: numbers of elements of fields
   std::string translation;           ///< of `distance`: "x,y,z"
   std::string plane;                 ///< of `section`: "a,b,c,d"
   std::string operation;             ///< of `polygon`
@@ -28,16 +29,17 @@ struct Options {
   std::string distance;              ///< of `polygon offset`: a number; below zero: an inset
   std::string precision;             ///< of `polygon offset`: how far the radius may be off; empty: 2^-20 of it
   std::optional<double> ball;        ///< of `minkowski` and `erode`: a ball of this radius instead of a second solid
-  std::optional<double> within;      ///< of the same: how far a polytope may be from the ball; a hundredth of its radius
-  std::optional<double> flatten;     ///< chords instead of arcs, no further than this from them
-  bool plain = false;                ///< of `polygon`: edges and points without area stay
-  bool inner = false;                ///< of offsets: what lies within the exact one is written
-  bool tight = false;                ///< of `polygon minkowski`: tight places too
-  bool reflect = false;              ///< of `polygon minkowski`: the second set turned by half a turn
-  bool labels = false;               ///< numbers in pictures
-  bool sphere = false;               ///< of `arrange`: curves on the sphere
-  bool cube = false;                 ///< of `gaussian-map`: on the surface of a cube
-  bool upper = false;                ///< of `envelope`
+  std::optional<double> within;   ///< of the same: how far a polytope may be from the ball; a hundredth of its radius
+  std::optional<double> flatten;  ///< chords instead of arcs, no further than this from them
+  bool plain = false;             ///< of `polygon`: edges and points without area stay
+  bool inner = false;             ///< of offsets: what lies within the exact one is written
+  bool tight = false;             ///< of `polygon minkowski`: tight places too
+  bool reflect = false;           ///< of `polygon minkowski`: the second set turned by half a turn
+  bool labels = false;            ///< numbers in pictures
+  bool sphere = false;            ///< of `arrange`: curves on the sphere
+  bool barcode = false;           ///< of `persistence`: bars instead of points
+  bool cube = false;              ///< of `gaussian-map`: on the surface of a cube
+  bool upper = false;             ///< of `envelope`
   bool json = false;
   bool quiet = false;
   bool verbose = false;

@@ -25,6 +25,12 @@ Target solid_target(const std::string& name, const std::string& ending) {
   return {name, Target::Kind::mesh, *format};
 }
 
+Target diagram_target(const std::string& name) {
+  if (name != standard_stream && ending_of(name) != ".svg")
+    throw UsageError(name + ": diagrams and barcodes are written as .svg");
+  return {name, Target::Kind::drawing};
+}
+
 Target drawing_target(const std::string& name) {
   if (name != standard_stream && ending_of(name) != ".svg")
     throw UsageError(name + ": sections are written as .svg; for a page or a mesh, cut the solid with a Boolean");
@@ -60,6 +66,7 @@ Target target_of(const std::string& name, const Options& options) {
     return planar_target(name, in_small_letters("." + format), options);
   }
   if (options.command == "section") return drawing_target(name);
+  if (options.command == "persistence") return diagram_target(name);
   if (name != standard_stream) return solid_target(name, ending_of(name));
   return solid_target(name, in_small_letters("." + (options.format.empty() ? "off" : options.format)));
 }
