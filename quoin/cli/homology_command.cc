@@ -20,11 +20,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-void warn_of(const MeshComplex& made, const std::string& name, std::vector<std::string>& warnings) {
+void warn_of(const MeshComplex& made, bool has_faces, const std::string& name, std::vector<std::string>& warnings) {
   const auto warn = [&](std::size_t count, const char* what) {
     if (count > 0) warnings.push_back(shown(name) + ": " + std::to_string(count) + what);
   };
-  warn(made.lonely_vertices, " vertices are corners of no face: points of their own");
+  if (has_faces) warn(made.lonely_vertices, " vertices are corners of no face: left out");
   warn(made.repeated_faces, " faces have the corners of others: each counts once");
   warn(made.thin_faces, " faces have fewer than three distinct corners: edges or points");
 }
@@ -35,7 +35,7 @@ SimplexList simplices_of(const Input& input, const std::string& name, std::vecto
   if (mesh == nullptr)
     throw InputError(shown(name) + ": exact text is not taken here; 'quoin convert' makes a mesh of it");
   MeshComplex made = complex_of_mesh(*mesh, context);
-  warn_of(made, name, warnings);
+  warn_of(made, mesh->face_count() > 0, name, warnings);
   return std::move(made.simplices);
 }
 
@@ -89,7 +89,7 @@ void add_manifold(Json& report, const SimplicialComplex& complex, const Context&
   const ManifoldReport manifold = check_manifold(complex, context);
   report["manifold"] = manifold.is_manifold();
   report["closed"] = manifold.is_closed();
-  const auto witness = [&](const char* what, const std::optional<Simplex>& simplex) {
+  const auto witness = [&](const char* what, const std::optional<SimplexId>& simplex) {
     if (simplex) report["not_manifold"][what] = complex.labels(*simplex);
   };
   witness("maximal", manifold.impure);

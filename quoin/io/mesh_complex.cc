@@ -102,8 +102,9 @@ MeshComplex complex_of_mesh(const Mesh& mesh, const Context& context) {
     keys.push_back(canonical(faces.back()));
     for (const std::uint32_t v : faces.back()) is_corner[v] = true;
   }
-  for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) result.simplices.add(std::array{v});
   result.lonely_vertices = static_cast<std::size_t>(std::count(is_corner.begin(), is_corner.end(), false));
+  if (mesh.face_count() == 0)
+    for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) result.simplices.add(std::array{v});
   const std::vector<bool> is_repeated = repeated_faces(keys);
   MeshFaces writer(mesh.vertices.size());
   for (std::size_t f = 0; f < faces.size(); ++f) {

@@ -11,8 +11,8 @@ namespace quoin {
 
 /// A mesh as simplices of dimension 2 and below.
 struct MeshComplex {
-  SimplexList simplices;            ///< first a vertex for each of the mesh, by the same numbers
-  std::size_t lonely_vertices = 0;  ///< corners of no face; points of their own
+  SimplexList simplices;            ///< corners have the numbers of vertices of the mesh, others are new
+  std::size_t lonely_vertices = 0;  ///< corners of no face: left out, unless there are no faces: then points
   std::size_t repeated_faces = 0;   ///< with the corners of an earlier one, in either order around: left out
   std::size_t thin_faces = 0;       ///< with fewer than three distinct corners: an edge, or a vertex
 };

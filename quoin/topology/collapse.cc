@@ -34,18 +34,18 @@ class Dismantling {
         continue;
       }
       if ((++steps_ & 4095U) == 0) context_.poll();
-      const Simplex face{busiest_, queue.faces[queue.next++]};
+      const SimplexId face{busiest_, queue.faces[queue.next++]};
       if (is_gone(face) || left_[face.dimension][face.index] != 1) continue;
-      const Simplex coface{face.dimension + 1, cofacet_left(face)};
+      const SimplexId coface{face.dimension + 1, cofacet_left(face)};
       remove(coface);
       remove(face);
       visit(face, coface);
     }
   }
 
-  bool is_gone(Simplex s) const { return is_gone_[s.dimension][s.index]; }
+  bool is_gone(SimplexId s) const { return is_gone_[s.dimension][s.index]; }
 
-  void remove(Simplex s) {
+  void remove(SimplexId s) {
     is_gone_[s.dimension][s.index] = true;
     if (s.dimension == 0) return;
     for (const std::uint32_t facet : complex_.facets(s))
@@ -58,13 +58,13 @@ class Dismantling {
     std::size_t next = 0;
   };
 
-  void note_free(Simplex s) {
+  void note_free(SimplexId s) {
     if (s.dimension < least_) return;
     queues_[s.dimension].faces.push_back(s.index);
     busiest_ = std::max(busiest_, s.dimension);
   }
 
-  std::uint32_t cofacet_left(Simplex s) const {
+  std::uint32_t cofacet_left(SimplexId s) const {
     const auto cofacets = cofacets_[s.dimension][s.index];
     return *std::find_if(cofacets.begin(), cofacets.end(),
                          [&](std::uint32_t c) { return !is_gone_[s.dimension + 1][c]; });
@@ -86,7 +86,7 @@ class Dismantling {
 CollapseResult collapse(const SimplicialComplex& complex, const Context& context, int least) {
   Dismantling dismantling(complex, context, least);
   CollapseResult result;
-  dismantling.collapse([&](Simplex face, Simplex coface) {
+  dismantling.collapse([&](SimplexId face, SimplexId coface) {
     result.steps.push_back({face.index, coface.index, coface.dimension});
   });
   for (int k = 0; k <= complex.dimension(); ++k)
@@ -98,7 +98,7 @@ CollapseResult collapse(const SimplicialComplex& complex, const Context& context
 SimplicialComplex rest_of_collapse(const SimplicialComplex& complex, const CollapseResult& result,
                                    const Context& context) {
   SimplexList list;
-  for (const Simplex s : result.rest) list.add(complex.labels(s));
+  for (const SimplexId s : result.rest) list.add(complex.labels(s));
   return SimplicialComplex::closure_of(list, context);
 }
 
@@ -108,7 +108,7 @@ CollapseOrder collapse_order(const SimplicialComplex& complex, const Context& co
   order.simplices.resize(complex.dimension() + 1);
   order.critical.assign(complex.dimension() + 1, 0);
   Dismantling dismantling(complex, context, 0);
-  const auto note_pair = [&](Simplex face, Simplex coface) {
+  const auto note_pair = [&](SimplexId face, SimplexId coface) {
     order.simplices[face.dimension].push_back(face.index);
     order.simplices[coface.dimension].push_back(coface.index);
   };

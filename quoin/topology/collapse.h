@@ -19,7 +19,7 @@ struct ElementaryCollapse {
 /// What a sequence of elementary collapses did.
 struct CollapseResult {
   std::vector<ElementaryCollapse> steps;  ///< each free when it is its turn
-  std::vector<Simplex> rest;              ///< what is left, a complex, by dimension and place
+  std::vector<SimplexId> rest;            ///< what is left, a complex, by dimension and place
 };
 
 /// Collapses as long as there is a free face of dimension `least` or more.

@@ -30,7 +30,7 @@ void check_steps(const SimplicialComplex& complex, const CollapseResult& result)
     ASSERT_EQ(left.erase(face) + left.erase(coface), 2U);
   }
   std::set<Row> rest;
-  for (const Simplex s : result.rest) rest.insert(complex.labels(s));
+  for (const SimplexId s : result.rest) rest.insert(complex.labels(s));
   ASSERT_EQ(rest, left);
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint32_t not_listed = 0xFFFFFFFFU;
 
-std::string name_of(const SimplicialComplex& complex, Simplex s) {
+std::string name_of(const SimplicialComplex& complex, SimplexId s) {
   std::string text = "simplex (";
   for (const std::uint32_t label : complex.labels(s)) text += (text.back() == '(' ? "" : " ") + std::to_string(label);
   return text + ")";
@@ -38,11 +38,10 @@ std::vector<std::vector<std::uint32_t>> listings(const SimplicialComplex& comple
   for (int k = 0; k <= complex.dimension(); ++k) result.emplace_back(complex.count(k), not_listed);
   for (std::uint32_t i = 0; i < simplices.size(); ++i) {
     if (i % 4096 == 0) context.poll();
-    const Simplex s = *complex.find_labels(simplices[i]);
+    const SimplexId s = *complex.find_labels(simplices[i]);
     std::uint32_t& first = result[s.dimension][s.index];
     if (first != not_listed) {
-      throw InputError(name_of(complex, s) + " is listed twice: simplices " + std::to_string(first) + " and " +
-                       std::to_string(i));
+      throw InputError(name_of(complex, s) + " is listed twice");
     }
     first = i;
   }
@@ -86,11 +85,11 @@ Filtration lower_star_filtration(SimplicialComplex complex, std::span<const std:
   return result;
 }
 
-Filtration filtration_by_order(SimplicialComplex complex, std::span<const Simplex> order) {
+Filtration filtration_by_order(SimplicialComplex complex, std::span<const SimplexId> order) {
   Filtration result{std::move(complex), {}};
   for (int k = 0; k <= result.complex.dimension(); ++k) result.grade.emplace_back(result.complex.count(k), not_listed);
   for (std::uint32_t i = 0; i < order.size(); ++i) {
-    const Simplex s = order[i];
+    const SimplexId s = order[i];
     if (s.dimension < 0 || s.index >= result.complex.count(s.dimension))
       throw InputError("there is no simplex " + std::to_string(s.index) + " of dimension " +
                        std::to_string(s.dimension));

@@ -20,7 +20,7 @@ struct Filtration {
   std::vector<std::vector<std::uint32_t>> grade;  ///< by dimension and simplex
   std::size_t added_faces = 0;  ///< faces that were not listed; each has the least grade of its cofaces
 
-  std::uint32_t grade_of(Simplex s) const { return grade[s.dimension][s.index]; }
+  std::uint32_t grade_of(SimplexId s) const { return grade[s.dimension][s.index]; }
 };
 
 /// The filtration of listed simplices with a grade each, and of their faces.
@@ -32,7 +32,7 @@ Filtration lower_star_filtration(SimplicialComplex complex, std::span<const std:
 
 /// Each simplex of the complex enters by itself, in this order.
 /// @throws InputError  one is missing, there twice, or before one of its faces
-Filtration filtration_by_order(SimplicialComplex complex, std::span<const Simplex> order);
+Filtration filtration_by_order(SimplicialComplex complex, std::span<const SimplexId> order);
 
 /// The simplices of each dimension by grade, those of equal grade by their place in the complex.
 std::vector<std::vector<std::uint32_t>> filtration_order(const Filtration& filtration, const Context& context);

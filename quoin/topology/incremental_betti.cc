@@ -14,7 +14,7 @@ namespace quoin {
 namespace {
 
 // Edges that join components end one, the others close a cycle.
-void step_through_edges(const SimplicialComplex& ball, std::span<const Simplex> order, BettiSteps& births) {
+void step_through_edges(const SimplicialComplex& ball, std::span<const SimplexId> order, BettiSteps& births) {
   DisjointSets sets(ball.count(0));
   for (std::size_t i = 0; i < order.size(); ++i) {
     if (order[i].dimension != 1) continue;
@@ -25,7 +25,7 @@ void step_through_edges(const SimplicialComplex& ball, std::span<const Simplex> 
 }
 
 // Backwards, a triangle that leaves joins what is on its sides: if that was apart, it had closed a void.
-void step_back_through_triangles(const SimplicialComplex& ball, std::span<const Simplex> order, BettiSteps& births) {
+void step_back_through_triangles(const SimplicialComplex& ball, std::span<const SimplexId> order, BettiSteps& births) {
   const SimplexIncidence tetrahedra = ball.cofacets(2);
   const auto outside = static_cast<std::uint32_t>(ball.count(3));
   DisjointSets sets(ball.count(3) + 1);
@@ -51,7 +51,7 @@ void require_ball(const SimplicialComplex& ball, const Context& context) {
 
 }  // namespace
 
-BettiSteps incremental_betti(const SimplicialComplex& complex, std::span<const Simplex> order, std::uint32_t p,
+BettiSteps incremental_betti(const SimplicialComplex& complex, std::span<const SimplexId> order, std::uint32_t p,
                              const Context& context) {
   const Filtration filtration = filtration_by_order(complex, order);
   BettiSteps births(order.size(), true);
@@ -60,7 +60,7 @@ BettiSteps incremental_betti(const SimplicialComplex& complex, std::span<const S
   return births;
 }
 
-BettiSteps incremental_betti_in_space(const SimplicialComplex& ball, std::span<const Simplex> order,
+BettiSteps incremental_betti_in_space(const SimplicialComplex& ball, std::span<const SimplexId> order,
                                       const Context& context) {
   require_ball(ball, context);
   filtration_by_order(ball, order);  // for what it refuses
@@ -73,7 +73,7 @@ BettiSteps incremental_betti_in_space(const SimplicialComplex& ball, std::span<c
   return births;
 }
 
-std::vector<std::vector<std::size_t>> betti_numbers_by_step(std::span<const Simplex> order, const BettiSteps& births,
+std::vector<std::vector<std::size_t>> betti_numbers_by_step(std::span<const SimplexId> order, const BettiSteps& births,
                                                             int dimension) {
   std::vector<std::size_t> betti(dimension + 1, 0);
   std::vector<std::vector<std::size_t>> result;

@@ -19,7 +19,7 @@ using BettiSteps = std::vector<bool>;
 /// @throws InputError  p is not a prime below 2^31; `order` lacks a simplex, has one twice, or before one of its faces
 /// Source: Delfinado, Edelsbrunner: An incremental algorithm for Betti numbers of simplicial complexes on the 3-sphere
 /// (1995), proposition on the change.
-BettiSteps incremental_betti(const SimplicialComplex& complex, std::span<const Simplex> order, std::uint32_t p,
+BettiSteps incremental_betti(const SimplicialComplex& complex, std::span<const SimplexId> order, std::uint32_t p,
                              const Context& context);
 
 /// The same for a triangulated ball of dimension 3, by disjoint sets in near linear time: components grow with edges,
@@ -27,11 +27,11 @@ BettiSteps incremental_betti(const SimplicialComplex& complex, std::span<const S
 /// complexes in space have no torsion.
 /// @throws InputError  as above, and where the whole is not a manifold with the homology of a ball: on such complexes
 ///                     the rule for triangles is wrong
-BettiSteps incremental_betti_in_space(const SimplicialComplex& ball, std::span<const Simplex> order,
+BettiSteps incremental_betti_in_space(const SimplicialComplex& ball, std::span<const SimplexId> order,
                                       const Context& context);
 
 /// Betti numbers after each step, by degree.
-std::vector<std::vector<std::size_t>> betti_numbers_by_step(std::span<const Simplex> order, const BettiSteps& births,
+std::vector<std::vector<std::size_t>> betti_numbers_by_step(std::span<const SimplexId> order, const BettiSteps& births,
                                                             int dimension);
 
 }  // namespace quoin

@@ -37,7 +37,7 @@ class ManifoldCheck {
       for (const std::uint32_t facet : complex_.facets(k + 1)) has_cofacet[facet] = true;
       const auto lonely = std::find(has_cofacet.begin(), has_cofacet.end(), false);
       if (lonely != has_cofacet.end())
-        report_.impure = Simplex{k, static_cast<std::uint32_t>(lonely - has_cofacet.begin())};
+        report_.impure = SimplexId{k, static_cast<std::uint32_t>(lonely - has_cofacet.begin())};
     }
   }
 
@@ -46,7 +46,7 @@ class ManifoldCheck {
     for (std::uint32_t wall = 0; wall < complex_.count(d_ - 1); ++wall) {
       const std::size_t cells = cells_at_wall_[wall].size();
       if (cells == 1) ++report_.boundary_facets;
-      if (cells > 2 && !report_.branching) report_.branching = Simplex{d_ - 1, wall};
+      if (cells > 2 && !report_.branching) report_.branching = SimplexId{d_ - 1, wall};
     }
   }
 
@@ -56,7 +56,7 @@ class ManifoldCheck {
     for (std::uint32_t i = 0; i < complex_.count(d_ - 2); ++i) {
       if (i % 1024 == 0) context_.poll();
       if (reached_from_first(i, walls_at[i]) == walls_at[i].size()) continue;
-      report_.pinched = Simplex{d_ - 2, i};
+      report_.pinched = SimplexId{d_ - 2, i};
       return;
     }
   }
@@ -107,7 +107,7 @@ class ManifoldCheck {
     const std::vector<std::size_t> pieces = pieces_of_links();
     for (std::uint32_t v = 0; v < complex_.count(0); ++v) {
       if (pieces[v] == 1 && characteristic[v] == (has_boundary[v] ? 1 : 2)) continue;
-      report_.pinched = Simplex{0, v};
+      report_.pinched = SimplexId{0, v};
       return;
     }
   }
@@ -166,7 +166,7 @@ class ManifoldCheck {
       const bool is_point = sum == 1 && homology.betti[0] == 1;
       const bool is_sphere = sum == 2 && homology.betti[0] == 1 && homology.betti.back() == 1;
       if (is_point || is_sphere) continue;
-      report_.pinched = Simplex{k, i};
+      report_.pinched = SimplexId{k, i};
       return;
     }
   }
@@ -186,7 +186,7 @@ ManifoldReport check_manifold(const SimplicialComplex& complex, const Context& c
   return ManifoldCheck(complex, context).run();
 }
 
-SimplicialComplex link(const SimplicialComplex& complex, Simplex s, const Context& context) {
+SimplicialComplex link(const SimplicialComplex& complex, SimplexId s, const Context& context) {
   const auto center = complex.vertices(s);
   SimplexList list;
   std::vector<std::uint32_t> opposite;

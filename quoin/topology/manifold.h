@@ -16,9 +16,9 @@ namespace quoin {
 /// Up to dimension 3 the answer is about topological manifolds. Above, about homology manifolds: links have the integer
 /// homology of a sphere or of a point; whether such a link is a sphere is not decidable in general.
 struct ManifoldReport {
-  std::optional<Simplex> impure;     ///< a maximal simplex of dimension below d
-  std::optional<Simplex> branching;  ///< of dimension d - 1, in more than two simplices of dimension d
-  std::optional<Simplex> pinched;    ///< its link is neither a sphere nor a ball; looked for where the others are empty
+  std::optional<SimplexId> impure;     ///< a maximal simplex of dimension below d
+  std::optional<SimplexId> branching;  ///< of dimension d - 1, in more than two simplices of dimension d
+  std::optional<SimplexId> pinched;  ///< its link is neither a sphere nor a ball; looked for where the others are empty
   std::size_t boundary_facets = 0;   ///< simplices of dimension d - 1 in just one of dimension d
 
   bool is_manifold() const { return !impure && !branching && !pinched; }
@@ -30,7 +30,7 @@ ManifoldReport check_manifold(const SimplicialComplex& complex, const Context& c
 
 /// The simplices opposite to a simplex in those that contain it, as a complex with the labels of the whole.
 /// O(size); use `check_manifold` for all links.
-SimplicialComplex link(const SimplicialComplex& complex, Simplex s, const Context& context);
+SimplicialComplex link(const SimplicialComplex& complex, SimplexId s, const Context& context);
 
 /// Orientations of the simplices of the highest dimension d that agree across every facet of just two of them.
 struct OrientationReport {

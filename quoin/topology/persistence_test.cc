@@ -32,18 +32,18 @@ Diagram diagram_of(const Filtration& filtration, const std::vector<PersistencePa
 
 // All simplices in one matrix, each column reduced by any earlier one with the same last row.
 Diagram naive_diagram(const Filtration& filtration, std::int64_t p) {
-  std::vector<std::pair<std::uint32_t, Simplex>> all;
+  std::vector<std::pair<std::uint32_t, SimplexId>> all;
   for (int k = 0; k <= filtration.complex.dimension(); ++k)
     for (std::uint32_t i = 0; i < filtration.complex.count(k); ++i)
-      all.emplace_back(filtration.grade[k][i], Simplex{k, i});
+      all.emplace_back(filtration.grade[k][i], SimplexId{k, i});
   std::sort(all.begin(), all.end());
-  std::map<Simplex, std::size_t> place;
+  std::map<SimplexId, std::size_t> place;
   for (std::size_t i = 0; i < all.size(); ++i) place[all[i].second] = i;
   std::vector<std::map<std::size_t, std::int64_t>> columns(all.size());
   std::map<std::size_t, std::size_t> column_of;
   Diagram diagram;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const Simplex s = all[i].second;
+    const SimplexId s = all[i].second;
     auto& column = columns[i];
     for (std::uint32_t j = 0; s.dimension > 0 && j < filtration.complex.facets(s).size(); ++j)
       column[place.at({s.dimension - 1, filtration.complex.facets(s)[j]})] = j % 2 == 0 ? 1 : p - 1;
@@ -262,12 +262,12 @@ TEST(Filtration, RefusesWhatIsNone) {
   EXPECT_THROW(filtration_of({{0}, {1}}, grades, Context()), InputError);
   EXPECT_THROW(lower_star_filtration(closure({{0, 1}}), grades), InputError);
   const SimplicialComplex edge = closure({{0, 1}});
-  EXPECT_THROW(filtration_by_order(edge, std::vector<Simplex>{{0, 0}, {1, 0}, {0, 1}}), InputError);
-  EXPECT_THROW(filtration_by_order(edge, std::vector<Simplex>{{0, 0}, {0, 0}, {1, 0}}), InputError);
-  EXPECT_THROW(filtration_by_order(edge, std::vector<Simplex>{{0, 0}, {0, 1}}), InputError);
-  EXPECT_THROW(filtration_by_order(edge, std::vector<Simplex>{{0, 0}, {0, 7}, {1, 0}}), InputError);
+  EXPECT_THROW(filtration_by_order(edge, std::vector<SimplexId>{{0, 0}, {1, 0}, {0, 1}}), InputError);
+  EXPECT_THROW(filtration_by_order(edge, std::vector<SimplexId>{{0, 0}, {0, 0}, {1, 0}}), InputError);
+  EXPECT_THROW(filtration_by_order(edge, std::vector<SimplexId>{{0, 0}, {0, 1}}), InputError);
+  EXPECT_THROW(filtration_by_order(edge, std::vector<SimplexId>{{0, 0}, {0, 7}, {1, 0}}), InputError);
   EXPECT_THROW(
-      persistence(filtration_by_order(edge, std::vector<Simplex>{{0, 0}, {0, 1}, {1, 0}}), {.prime = 6}, Context()),
+      persistence(filtration_by_order(edge, std::vector<SimplexId>{{0, 0}, {0, 1}, {1, 0}}), {.prime = 6}, Context()),
       InputError);
 }
 
@@ -280,7 +280,7 @@ TEST(Filtration, GradesOfValues) {
 
 // H17: three ways, after each insertion.
 void check_steps(const SimplicialComplex& complex, std::mt19937_64& random, bool is_ball) {
-  const std::vector<Simplex> order = random_order(complex, random);
+  const std::vector<SimplexId> order = random_order(complex, random);
   for (const std::uint32_t p : {2U, 3U}) {
     const BettiSteps births = incremental_betti(complex, order, p, Context());
     const auto betti = betti_numbers_by_step(order, births, complex.dimension());
@@ -312,7 +312,7 @@ TEST(IncrementalBetti, DualSetsOnLargerBalls) {
   std::mt19937_64 random(52);
   const SimplicialComplex ball = closure(cubes(4, 3, 4));
   for (int round = 0; round < test_rounds(10); ++round) {
-    const std::vector<Simplex> order = random_order(ball, random);
+    const std::vector<SimplexId> order = random_order(ball, random);
     ASSERT_EQ(incremental_betti_in_space(ball, order, Context()), incremental_betti(ball, order, 2, Context()));
   }
 }

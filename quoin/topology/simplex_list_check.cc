@@ -65,7 +65,7 @@ SimplexListFindings check_simplices(const SimplexList& simplices, const Context&
   for (int k = 0; k <= complex.dimension(); ++k) listing.emplace_back(complex.count(k), not_listed);
   for (std::uint32_t i = 0; i < valid.size(); ++i) {
     if (i % 4096 == 0) context.poll();
-    const Simplex s = *complex.find_labels(valid[i]);
+    const SimplexId s = *complex.find_labels(valid[i]);
     std::uint32_t& first = listing[s.dimension][s.index];
     if (first == not_listed) {
       first = origin[i];

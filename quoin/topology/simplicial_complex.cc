@@ -18,13 +18,13 @@ std::size_t SimplicialComplex::size() const {
   return sum;
 }
 
-std::vector<std::uint32_t> SimplicialComplex::labels(Simplex s) const {
+std::vector<std::uint32_t> SimplicialComplex::labels(SimplexId s) const {
   std::vector<std::uint32_t> result;
   for (const std::uint32_t v : vertices(s)) result.push_back(labels_[v]);
   return result;
 }
 
-std::optional<Simplex> SimplicialComplex::find(std::span<const std::uint32_t> wanted) const {
+std::optional<SimplexId> SimplicialComplex::find(std::span<const std::uint32_t> wanted) const {
   if (wanted.empty() || wanted.size() > layers_.size() || wanted[0] >= labels_.size()) return {};
   const Layer& layer = layers_[wanted.size() - 1];
   const int k = static_cast<int>(wanted.size()) - 1;
@@ -34,13 +34,13 @@ std::optional<Simplex> SimplicialComplex::find(std::span<const std::uint32_t> wa
     const std::uint32_t middle = low + (high - low) / 2;
     const auto row = vertices({k, middle});
     const auto order = std::lexicographical_compare_three_way(row.begin(), row.end(), wanted.begin(), wanted.end());
-    if (order == 0) return Simplex{k, middle};
+    if (order == 0) return SimplexId{k, middle};
     (order < 0 ? low : high) = order < 0 ? middle + 1 : middle;
   }
   return {};
 }
 
-std::optional<Simplex> SimplicialComplex::find_labels(std::span<const std::uint32_t> wanted) const {
+std::optional<SimplexId> SimplicialComplex::find_labels(std::span<const std::uint32_t> wanted) const {
   std::vector<std::uint32_t> row;
   for (const std::uint32_t label : wanted) {
     const auto at = std::lower_bound(labels_.begin(), labels_.end(), label);

@@ -14,10 +14,10 @@
 namespace quoin {
 
 /// A simplex of a complex: its dimension, and its place among those of that dimension.
-struct Simplex {
+struct SimplexId {
   int dimension = 0;
   std::uint32_t index = 0;
-  friend constexpr auto operator<=>(const Simplex&, const Simplex&) = default;
+  friend constexpr auto operator<=>(const SimplexId&, const SimplexId&) = default;
 };
 
 /// Simplices of one dimension with the places of their facets, or cofacets, in one array.
@@ -59,25 +59,25 @@ class SimplicialComplex {
   /// The number by which vertex v was given.
   std::uint32_t label(std::uint32_t v) const { return labels_[v]; }
   /// The k + 1 vertices of a simplex of dimension k in ascending order.
-  std::span<const std::uint32_t> vertices(Simplex s) const {
+  std::span<const std::uint32_t> vertices(SimplexId s) const {
     return {layers_[s.dimension].vertices.data() + std::size_t{s.index} * (s.dimension + 1),
             static_cast<std::size_t>(s.dimension + 1)};
   }
   /// The places of the facets of a simplex of dimension above zero: that at j lacks vertex j, and has the sign (-1)^j
   /// in the boundary.
-  std::span<const std::uint32_t> facets(Simplex s) const {
+  std::span<const std::uint32_t> facets(SimplexId s) const {
     return {layers_[s.dimension].facets.data() + std::size_t{s.index} * (s.dimension + 1),
             static_cast<std::size_t>(s.dimension + 1)};
   }
   /// The facets of all simplices of dimension k > 0, k + 1 for each.
   std::span<const std::uint32_t> facets(int k) const { return layers_[k].facets; }
   /// The labels of the vertices of a simplex.
-  std::vector<std::uint32_t> labels(Simplex s) const;
+  std::vector<std::uint32_t> labels(SimplexId s) const;
 
   /// The simplex with these vertices, in ascending order. O(log d)
-  std::optional<Simplex> find(std::span<const std::uint32_t> vertices) const;
+  std::optional<SimplexId> find(std::span<const std::uint32_t> vertices) const;
   /// The simplex with the vertices of these labels, in any order.
-  std::optional<Simplex> find_labels(std::span<const std::uint32_t> labels) const;
+  std::optional<SimplexId> find_labels(std::span<const std::uint32_t> labels) const;
 
   /// The simplices of dimension k + 1 that have those of dimension k as facets, in ascending order. O(size)
   SimplexIncidence cofacets(int k) const;

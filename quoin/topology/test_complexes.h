@@ -165,8 +165,8 @@ inline SimplexList random_triangles(std::mt19937_64& random, std::uint32_t verti
 }
 
 /// Simplices of a complex in a random order in which faces come before cofaces.
-inline std::vector<Simplex> random_order(const SimplicialComplex& complex, std::mt19937_64& random) {
-  std::vector<std::pair<double, Simplex>> keys;
+inline std::vector<SimplexId> random_order(const SimplicialComplex& complex, std::mt19937_64& random) {
+  std::vector<std::pair<double, SimplexId>> keys;
   std::vector<std::vector<double>> key(complex.dimension() + 1);
   std::uniform_real_distribution<double> step(0, 1);
   for (int k = 0; k <= complex.dimension(); ++k) {
@@ -175,11 +175,11 @@ inline std::vector<Simplex> random_order(const SimplicialComplex& complex, std::
       if (k > 0)
         for (const std::uint32_t facet : complex.facets({k, i})) least = std::max(least, key[k - 1][facet]);
       key[k].push_back(least + step(random));
-      keys.emplace_back(key[k].back(), Simplex{k, i});
+      keys.emplace_back(key[k].back(), SimplexId{k, i});
     }
   }
   std::sort(keys.begin(), keys.end());
-  std::vector<Simplex> order;
+  std::vector<SimplexId> order;
   for (const auto& entry : keys) order.push_back(entry.second);
   return order;
 }

@@ -124,19 +124,8 @@ class PersistenceSvg {
       const double y = margin + pitch * (static_cast<double>(row) + 0.5);
       move_to(margin + side * scale_.part(interval.birth), y);
       out_ << 'H';
-      write_pixel(out_, std::isfinite(interval.death) ? margin + side * scale_.part(interval.death)
-                                                      : margin + side + headroom - 6);
-      if (std::isfinite(interval.death)) return;
-      const double arrow = std::clamp(0.5 * pitch, 0.5, 4.0);
-      move_to(margin + side + headroom - 6, y - arrow);
-      out_ << 'L';
-      write_pixel(out_, margin + side + headroom);
-      out_ << ' ';
-      write_pixel(out_, y);
-      out_ << 'L';
-      write_pixel(out_, margin + side + headroom - 6);
-      out_ << ' ';
-      write_pixel(out_, y + arrow);
+      write_pixel(out_,
+                  margin + (std::isfinite(interval.death) ? side * scale_.part(interval.death) : side + headroom));
     });
     write_end();
   }

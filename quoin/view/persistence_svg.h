@@ -23,7 +23,7 @@ struct PersistenceInterval {
 void write_persistence_diagram(std::ostream& out, std::span<const PersistenceInterval> intervals,
                                const std::string& title);
 
-/// Draws a bar for each interval, by degree, then by birth; those that stay end in an arrow. As above.
+/// Draws a bar for each interval, by degree, then by birth; those that stay run on beyond the scale. As above.
 void write_barcode(std::ostream& out, std::span<const PersistenceInterval> intervals, const std::string& title);
 
 }  // namespace quoin

@@ -3,7 +3,7 @@
 _quoin() {
   local word="${COMP_WORDS[COMP_CWORD]}" previous="${COMP_WORDS[COMP_CWORD - 1]}"
   local commands="union intersection difference xor csg info check repair convert view classify section interfere \
-hull minkowski gaussian-map distance width arrange overlay locate polygon envelope"
+hull minkowski gaussian-map distance width homology persistence arrange overlay locate polygon envelope"
   local common="--json --threads --timeout --seed --weld -q --quiet -v --verbose -h --help"
   local makes="-o --output --format --accept-rounding"
   local draws="-o --output --format --labels"
@@ -31,13 +31,15 @@ hull minkowski gaussian-map distance width arrange overlay locate polygon envelo
       mapfile -t COMPREPLY < <(compgen -W "even-odd nonzero positive" -- "$word")
       return
       ;;
-    --translate | --threads | --timeout | --seed | --weld | --point | --line | --plane | --flatten | --distance | --precision) return ;;
+    --translate | --prime | --threads | --timeout | --seed | --weld | --point | --line | --plane | --flatten | --distance | --precision) return ;;
   esac
   if [[ $word == -* ]]; then
     local options="$common"
     case "${COMP_WORDS[1]}" in
       union | intersection | difference | xor | csg | repair | convert | view | hull | minkowski) options+=" $makes" ;;
       gaussian-map) options+=" $draws --cube" ;;
+      homology) options+=" --prime" ;;
+      persistence) options+=" --prime --barcode -o --output" ;;
       distance) options+=" --translate" ;;
       classify) options+=" --point --points --line" ;;
       section) options+=" --plane -o --output" ;;
