@@ -54,6 +54,8 @@ void sort_bucket(std::uint32_t* begin, std::uint32_t* end, std::size_t width) {
       return sort_narrow<3>(begin, end);
     case 4:
       return sort_narrow<4>(begin, end);
+    case 5:
+      return sort_narrow<5>(begin, end);
     default:
       return sort_wide(begin, end, width);
   }
@@ -109,7 +111,7 @@ void ComplexBuilder::number_vertices() {
 void ComplexBuilder::spread_rows() {
   const std::vector<std::uint32_t>& labels = result_.labels_;
   const bool is_numbered = labels.empty() || labels.back() + std::size_t{1} == labels.size();
-  std::array<std::uint32_t, SimplicialComplex::most_vertices> row;
+  std::array<std::uint32_t, SimplicialComplex::most_vertices + 1> row;
   for (std::size_t i = 0; i < simplices_.size(); ++i) {
     if (i % poll_interval == 0) context_.poll();
     const auto simplex = simplices_[i];
@@ -119,46 +121,59 @@ void ComplexBuilder::spread_rows() {
     });
     const auto end = row.begin() + static_cast<std::ptrdiff_t>(simplex.size());
     std::sort(row.begin(), end);
+    *end = static_cast<std::uint32_t>(i);
     if (given_.size() < simplex.size()) given_.resize(simplex.size());
     Rows& rows = given_[simplex.size() - 1];
-    rows.insert(rows.end(), row.begin(), end);
+    rows.insert(rows.end(), row.begin(), end + 1);
   }
+  // Every vertex of a simplex is one of the complex.
+  for (std::uint32_t v = 0; v < labels.size(); ++v) given_[0].insert(given_[0].end(), {v, not_listed});
 }
 
-void ComplexBuilder::sort_rows(int k, Rows& rows) {
-  const std::size_t width = static_cast<std::size_t>(k) + 1;
-  SimplicialComplex::Layer& layer = result_.layers_[k];
-  if (rows.size() / width >= most_rows) throw InputError("more than 2^32 simplices of dimension " + std::to_string(k));
-  std::vector<std::size_t> begin(result_.labels_.size() + 1, 0);
+// By the first vertex, each bucket in the order of the rows.
+ComplexBuilder::Rows ComplexBuilder::sort_by_first(const Rows& rows, std::size_t width,
+                                                   std::vector<std::size_t>& begin) const {
+  begin.assign(result_.labels_.size() + 1, 0);
   for (std::size_t i = 0; i < rows.size(); i += width) ++begin[rows[i] + 1];
   for (std::size_t v = 1; v < begin.size(); ++v) begin[v] += begin[v - 1];
   Rows sorted(rows.size());
   std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
-  for (std::size_t i = 0; i < rows.size(); i += width)
-    std::copy_n(rows.begin() + static_cast<std::ptrdiff_t>(i), width,
-                sorted.begin() + static_cast<std::ptrdiff_t>(width * next[rows[i]]++));
+  for (std::size_t i = 0; i < rows.size(); i += width) {
+    std::uint32_t* const to = sorted.data() + width * next[rows[i]]++;
+    for (std::size_t j = 0; j < width; ++j) to[j] = rows[i + j];
+  }
+  return sorted;
+}
+
+void ComplexBuilder::sort_rows(int k, Rows rows) {
+  const std::size_t vertices = static_cast<std::size_t>(k) + 1;
+  const std::size_t width = vertices + 1;
+  SimplicialComplex::Layer& layer = result_.layers_[k];
+  if (rows.size() / width >= most_rows)
+    throw InputError("2^32 simplices of dimension " + std::to_string(k) + " or more");
+  std::vector<std::size_t> begin;
+  Rows sorted = sort_by_first(rows, width, begin);
   rows = Rows();
   layer.first.assign(begin.size(), 0);
-  std::size_t kept = 0;  // rows that are not equal to the one before
+  layer.vertices.clear();
+  listing_[k].clear();
   for (std::size_t v = 0; v + 1 < begin.size(); ++v) {
     if (v % 256 == 0) context_.poll();
     sort_bucket(sorted.data() + begin[v] * width, sorted.data() + begin[v + 1] * width, width);
-    layer.first[v] = static_cast<std::uint32_t>(kept);
+    layer.first[v] = static_cast<std::uint32_t>(listing_[k].size());
     for (std::size_t i = begin[v]; i < begin[v + 1]; ++i) {
-      const auto row = sorted.begin() + static_cast<std::ptrdiff_t>(i * width);
-      const auto last = sorted.begin() + static_cast<std::ptrdiff_t>(kept * width);
-      if (kept > layer.first[v] &&
-          std::equal(row, row + static_cast<std::ptrdiff_t>(width), last - static_cast<std::ptrdiff_t>(width)))
+      const std::uint32_t* const row = sorted.data() + i * width;
+      if (i > begin[v] && std::equal(row, row + vertices, row - width)) {
+        if (row[vertices] != not_listed) duplicates_.push_back({listing_[k].back(), row[vertices]});
         continue;
-      std::copy_n(row, width, last);
-      ++kept;
+      }
+      layer.vertices.insert(layer.vertices.end(), row, row + vertices);
+      listing_[k].push_back(row[vertices]);
     }
   }
-  layer.first.back() = static_cast<std::uint32_t>(kept);
-  sorted.resize(kept * width);
-  sorted.shrink_to_fit();
-  layer.vertices = std::move(sorted);
-  layer.size = kept;
+  layer.size = listing_[k].size();
+  layer.first.back() = static_cast<std::uint32_t>(layer.size);
+  layer.vertices.shrink_to_fit();
 }
 
 ComplexBuilder::Rows ComplexBuilder::join_facets(int k) {
@@ -170,38 +185,46 @@ ComplexBuilder::Rows ComplexBuilder::join_facets(int k) {
   for (std::size_t i = 0; i < layer.size; ++i) {
     if (i % poll_interval == 0) context_.poll();
     const std::uint32_t* row = layer.vertices.data() + i * width;
-    std::copy_n(row + 1, width - 1, facet.begin());
+    for (std::size_t j = 1; j < width; ++j) facet[j - 1] = row[j];
     for (std::size_t j = 0; j < width; ++j) {
-      const auto found = result_.find({facet.data(), width - 1});
-      layer.facets[i * width + j] = found ? found->index : 0;
-      if (!found) missing.insert(missing.end(), facet.begin(), facet.begin() + static_cast<std::ptrdiff_t>(width - 1));
-      if (j + 1 < width) facet[j] = row[j];
+      const std::uint32_t found = result_.place_of({facet.data(), width - 1});
+      layer.facets[i * width + j] = found;
+      if (found == SimplicialComplex::nowhere) {
+        missing.insert(missing.end(), facet.begin(), facet.begin() + static_cast<std::ptrdiff_t>(width - 1));
+        missing.push_back(not_listed);
+      }
+      facet[j] = row[j];
     }
   }
   return missing;
 }
 
-void ComplexBuilder::finish_layer(int k, Rows rows) {
-  sort_rows(k, rows);
+void ComplexBuilder::finish_layer(int k) {
+  sort_rows(k, std::move(given_[k]));
   if (k + 1 > result_.dimension()) return;
-  const Rows missing = join_facets(k + 1);
-  if (missing.empty()) return;
-  rows = std::move(result_.layers_[k].vertices);
-  rows.insert(rows.end(), missing.begin(), missing.end());
-  sort_rows(k, rows);
+  Rows rows = join_facets(k + 1);
+  if (rows.empty()) return;
+  const std::vector<std::uint32_t> vertices = std::move(result_.layers_[k].vertices);
+  const std::size_t width = static_cast<std::size_t>(k) + 1;
+  for (std::size_t i = 0; i < listing_[k].size(); ++i) {
+    const auto row = vertices.begin() + static_cast<std::ptrdiff_t>(i * width);
+    rows.insert(rows.end(), row, row + static_cast<std::ptrdiff_t>(width));
+    rows.push_back(listing_[k][i]);
+  }
+  sort_rows(k, std::move(rows));
   join_facets(k + 1);
 }
 
 SimplicialComplex ComplexBuilder::build() {
   context_.progress("complex", 0);
+  if (simplices_.size() >= not_listed) throw InputError("2^32 simplices or more");
   require_valid();
   number_vertices();
+  if (simplices_.size() == 0) return std::move(result_);
   spread_rows();
   result_.layers_.resize(given_.size());
-  if (given_.empty()) return std::move(result_);
-  given_[0].resize(result_.labels_.size());  // every vertex of a simplex is one of the complex
-  for (std::size_t v = 0; v < given_[0].size(); ++v) given_[0][v] = static_cast<std::uint32_t>(v);
-  for (int k = result_.dimension(); k >= 0; --k) finish_layer(k, std::move(given_[k]));
+  listing_.resize(given_.size());
+  for (int k = result_.dimension(); k >= 0; --k) finish_layer(k);
   return std::move(result_);
 }
 

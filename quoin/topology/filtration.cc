@@ -5,17 +5,22 @@
 
 #include "quoin/base/error.h"
 #include "quoin/base/parallel_sort.h"
+#include "quoin/topology/complex_builder.h"
 
 namespace quoin {
 
 namespace {
 
-constexpr std::uint32_t not_listed = 0xFFFFFFFFU;
+constexpr std::uint32_t not_listed = ComplexBuilder::not_listed;
+
+std::string name_of(const std::vector<std::uint32_t>& vertices) {
+  std::string text = "simplex (";
+  for (const std::uint32_t label : vertices) text += (text.back() == '(' ? "" : " ") + std::to_string(label);
+  return text + ")";
+}
 
 std::string name_of(const SimplicialComplex& complex, SimplexId s) {
-  std::string text = "simplex (";
-  for (const std::uint32_t label : complex.labels(s)) text += (text.back() == '(' ? "" : " ") + std::to_string(label);
-  return text + ")";
+  return name_of(complex.labels(s));
 }
 
 void require_faces_first(const Filtration& filtration, const Context& context) {
@@ -31,31 +36,19 @@ void require_faces_first(const Filtration& filtration, const Context& context) {
   }
 }
 
-// The first listing of each simplex, or `not_listed`.
-std::vector<std::vector<std::uint32_t>> listings(const SimplicialComplex& complex, const SimplexList& simplices,
-                                                 const Context& context) {
-  std::vector<std::vector<std::uint32_t>> result;
-  for (int k = 0; k <= complex.dimension(); ++k) result.emplace_back(complex.count(k), not_listed);
-  for (std::uint32_t i = 0; i < simplices.size(); ++i) {
-    if (i % 4096 == 0) context.poll();
-    const SimplexId s = *complex.find_labels(simplices[i]);
-    std::uint32_t& first = result[s.dimension][s.index];
-    if (first != not_listed) {
-      throw InputError(name_of(complex, s) + " is listed twice");
-    }
-    first = i;
-  }
-  return result;
-}
-
 }  // namespace
 
 Filtration filtration_of(const SimplexList& simplices, std::span<const std::uint32_t> grades, const Context& context) {
   if (simplices.size() != grades.size() || grades.size() >= not_listed)
     throw InputError("a filtration needs a grade for each simplex, of fewer than 2^32");
   Filtration result;
-  result.complex = SimplicialComplex::closure_of(simplices, context);
-  result.grade = listings(result.complex, simplices, context);
+  ComplexBuilder builder(simplices, context);
+  result.complex = builder.build();
+  if (!builder.duplicates().empty()) {
+    const auto twice = simplices[builder.duplicates()[0][0]];
+    throw InputError(name_of({twice.begin(), twice.end()}) + " is listed twice");
+  }
+  result.grade = std::move(builder.listing());
   for (int k = result.complex.dimension(); k >= 0; --k) {
     std::vector<std::uint32_t> least(result.complex.count(k), not_listed);  // of the cofacets
     for (std::uint32_t i = 0; i < result.complex.count(k + 1); ++i)

@@ -47,7 +47,8 @@ template <class Value>
 Grades<Value> grades_of(std::span<const Value> values) {
   std::vector<std::uint32_t> order(values.size());
   std::iota(order.begin(), order.end(), 0U);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) { return values[i] < values[j]; });
+  if (!std::is_sorted(values.begin(), values.end()))
+    std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) { return values[i] < values[j]; });
   Grades<Value> result;
   result.grade.resize(values.size());
   for (const std::uint32_t i : order) {

@@ -3,13 +3,14 @@
 
 #include <algorithm>
 
+#include "quoin/topology/complex_builder.h"
 #include "quoin/topology/simplicial_complex.h"
 
 namespace quoin {
 
 namespace {
 
-constexpr std::uint32_t not_listed = 0xFFFFFFFFU;
+constexpr std::uint32_t not_listed = ComplexBuilder::not_listed;
 
 bool is_valid(std::span<const std::uint32_t> simplex) {
   if (simplex.empty() || simplex.size() > SimplicialComplex::most_vertices) return false;
@@ -60,19 +61,14 @@ SimplexListFindings check_simplices(const SimplexList& simplices, const Context&
       findings.invalid.push_back(i);
     }
   }
-  const SimplicialComplex complex = SimplicialComplex::closure_of(valid, context);
-  std::vector<std::vector<std::uint32_t>> listing;
-  for (int k = 0; k <= complex.dimension(); ++k) listing.emplace_back(complex.count(k), not_listed);
-  for (std::uint32_t i = 0; i < valid.size(); ++i) {
-    if (i % 4096 == 0) context.poll();
-    const SimplexId s = *complex.find_labels(valid[i]);
-    std::uint32_t& first = listing[s.dimension][s.index];
-    if (first == not_listed) {
-      first = origin[i];
-    } else {
-      findings.duplicates.push_back({first, origin[i]});
-    }
-  }
+  ComplexBuilder builder(valid, context);
+  const SimplicialComplex complex = builder.build();
+  std::vector<std::vector<std::uint32_t>>& listing = builder.listing();
+  for (std::vector<std::uint32_t>& places : listing)
+    for (std::uint32_t& place : places) place = place == not_listed ? place : origin[place];
+  for (const auto& [first, second] : builder.duplicates())
+    findings.duplicates.push_back({origin[first], origin[second]});
+  std::sort(findings.duplicates.begin(), findings.duplicates.end());
   for (int k = 0; k <= complex.dimension(); ++k)
     for (std::uint32_t i = 0; i < complex.count(k); ++i)
       if (listing[k][i] == not_listed) findings.missing_faces.push_back(complex.labels({k, i}));

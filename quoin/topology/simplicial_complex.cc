@@ -24,20 +24,42 @@ std::vector<std::uint32_t> SimplicialComplex::labels(SimplexId s) const {
   return result;
 }
 
-std::optional<SimplexId> SimplicialComplex::find(std::span<const std::uint32_t> wanted) const {
-  if (wanted.empty() || wanted.size() > layers_.size() || wanted[0] >= labels_.size()) return {};
+std::uint32_t SimplicialComplex::place_of(std::span<const std::uint32_t> wanted) const {
   const Layer& layer = layers_[wanted.size() - 1];
-  const int k = static_cast<int>(wanted.size()) - 1;
+  const std::size_t width = wanted.size();
+  if (width == 1) return wanted[0] < layer.size ? wanted[0] : nowhere;
   std::uint32_t low = layer.first[wanted[0]];
   std::uint32_t high = layer.first[wanted[0] + 1];
-  while (low < high) {
-    const std::uint32_t middle = low + (high - low) / 2;
-    const auto row = vertices({k, middle});
-    const auto order = std::lexicographical_compare_three_way(row.begin(), row.end(), wanted.begin(), wanted.end());
-    if (order == 0) return SimplexId{k, middle};
-    (order < 0 ? low : high) = order < 0 ? middle + 1 : middle;
+  const std::uint32_t end = high;
+  const auto search = [&](const auto& is_less) {  // the first that is not less
+    while (low < high) {
+      const std::uint32_t middle = low + (high - low) / 2;
+      if (is_less(layer.vertices.data() + middle * width)) {
+        low = middle + 1;
+      } else {
+        high = middle;
+      }
+    }
+  };
+  // Rows of a bucket have the first vertex in common.
+  if (width == 2) {
+    search([&](const std::uint32_t* row) { return row[1] < wanted[1]; });
+  } else if (width == 3) {
+    const std::uint64_t key = static_cast<std::uint64_t>(wanted[1]) << 32 | wanted[2];
+    search([&](const std::uint32_t* row) { return (static_cast<std::uint64_t>(row[1]) << 32 | row[2]) < key; });
+  } else {
+    search([&](const std::uint32_t* row) {
+      return std::lexicographical_compare(row, row + width, wanted.begin(), wanted.end());
+    });
   }
-  return {};
+  return low < end && std::equal(wanted.begin(), wanted.end(), layer.vertices.data() + low * width) ? low : nowhere;
+}
+
+std::optional<SimplexId> SimplicialComplex::find(std::span<const std::uint32_t> wanted) const {
+  if (wanted.empty() || wanted.size() > layers_.size() || wanted[0] >= labels_.size()) return {};
+  const std::uint32_t place = place_of(wanted);
+  if (place == nowhere) return {};
+  return SimplexId{static_cast<int>(wanted.size()) - 1, place};
 }
 
 std::optional<SimplexId> SimplicialComplex::find_labels(std::span<const std::uint32_t> wanted) const {

@@ -86,6 +86,11 @@ class SimplicialComplex {
   std::int64_t euler_characteristic() const;
 
  private:
+  static constexpr std::uint32_t nowhere = 0xFFFFFFFFU;
+
+  // The place of the simplex with these vertices, of a dimension that there is, or `nowhere`.
+  std::uint32_t place_of(std::span<const std::uint32_t> vertices) const;
+
   struct Layer {
     std::size_t size = 0;
     std::vector<std::uint32_t> vertices;
