@@ -4,6 +4,7 @@
 #include <string>
 
 #include "quoin/base/error.h"
+#include "quoin/base/large_vector.h"
 #include "quoin/base/parallel_sort.h"
 #include "quoin/topology/complex_builder.h"
 
@@ -34,6 +35,25 @@ void require_faces_first(const Filtration& filtration, const Context& context) {
       }
     }
   }
+}
+
+// Counts where there are not many more grades than simplices.
+std::vector<std::uint32_t> order_by_grade(const std::vector<std::uint32_t>& grade, const Context& context) {
+  std::vector<std::uint32_t> order(grade.size());
+  const std::size_t grades = grade.empty() ? 0 : std::size_t{*std::max_element(grade.begin(), grade.end())} + 1;
+  if (grades / 8 <= grade.size()) {
+    LargeVector<std::uint32_t> next(grades + 1, 0);
+    for (const std::uint32_t g : grade) ++next[g + 1];
+    for (std::size_t g = 1; g < grades; ++g) next[g] += next[g - 1];
+    for (std::uint32_t i = 0; i < grade.size(); ++i) order[next[grade[i]]++] = i;
+    return order;
+  }
+  std::vector<std::uint64_t> keys(grade.size());
+  for (std::size_t i = 0; i < grade.size(); ++i) keys[i] = static_cast<std::uint64_t>(grade[i]) << 32 | i;
+  sort_parallel(context, keys);
+  std::transform(keys.begin(), keys.end(), order.begin(),
+                 [](std::uint64_t key) { return static_cast<std::uint32_t>(key); });
+  return order;
 }
 
 }  // namespace
@@ -98,12 +118,8 @@ Filtration filtration_by_order(SimplicialComplex complex, std::span<const Simple
 std::vector<std::vector<std::uint32_t>> filtration_order(const Filtration& filtration, const Context& context) {
   std::vector<std::vector<std::uint32_t>> order;
   for (const std::vector<std::uint32_t>& grade : filtration.grade) {
-    std::vector<std::uint64_t> keys(grade.size());
-    for (std::size_t i = 0; i < grade.size(); ++i) keys[i] = static_cast<std::uint64_t>(grade[i]) << 32 | i;
-    sort_parallel(context, keys);
-    order.emplace_back(keys.size());
-    std::transform(keys.begin(), keys.end(), order.back().begin(),
-                   [](std::uint64_t key) { return static_cast<std::uint32_t>(key); });
+    context.poll();
+    order.push_back(order_by_grade(grade, context));
   }
   return order;
 }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "quoin/base/large_vector.h"
 #include "quoin/topology/simplicial_complex.h"
 
 namespace quoin {
@@ -19,11 +20,11 @@ class OrderedBoundaries {
   int dimension() const { return static_cast<int>(count_.size()) - 1; }
   std::size_t count(int k) const { return k < 0 || k > dimension() ? 0 : count_[k]; }
   /// Ranks of the facets of all simplices of dimension k > 0 by their ranks, k + 1 for each, signs alternating.
-  const std::vector<std::uint32_t>& facets(int k) const { return facets_[k]; }
+  const LargeVector<std::uint32_t>& facets(int k) const { return facets_[k]; }
 
  private:
   std::vector<std::size_t> count_;
-  std::vector<std::vector<std::uint32_t>> facets_;
+  std::vector<LargeVector<std::uint32_t>> facets_;
 };
 
 /// Columns are boundaries of simplices of dimension k, rows those of dimension k - 1 that are not left out.
@@ -48,7 +49,7 @@ class BoundaryColumns {
   }
 
  private:
-  const std::vector<std::uint32_t>& facets_;
+  const LargeVector<std::uint32_t>& facets_;
   const std::vector<bool>* left_out_;
   std::size_t width_;
   std::size_t rows_;
@@ -78,8 +79,8 @@ class CoboundaryColumns {
  private:
   std::size_t rows_;
   std::size_t widest_ = 0;
-  std::vector<std::size_t> begin_;
-  std::vector<std::uint32_t> cofacets_;  // twice the rank, and 1 if the sign is negative
+  LargeVector<std::size_t> begin_;
+  LargeVector<std::uint32_t> cofacets_;  // twice the rank, and 1 if the sign is negative
 };
 
 }  // namespace quoin
