@@ -46,7 +46,14 @@ void sort_wide(std::uint32_t* begin, std::uint32_t* end, std::size_t width) {
   for (const std::vector<std::uint32_t>& row : rows) begin = std::copy(row.begin(), row.end(), begin);
 }
 
+bool is_sorted(const std::uint32_t* begin, const std::uint32_t* end, std::size_t width) {
+  for (const std::uint32_t* row = begin; row != end && row + width != end; row += width)
+    if (std::lexicographical_compare(row + width, row + 2 * width, row, row + width)) return false;
+  return true;
+}
+
 void sort_bucket(std::uint32_t* begin, std::uint32_t* end, std::size_t width) {
+  if (is_sorted(begin, end, width)) return;
   switch (width) {
     case 2:
       return sort_narrow<2>(begin, end);
@@ -186,8 +193,11 @@ ComplexBuilder::Rows ComplexBuilder::join_facets(int k) {
     if (i % poll_interval == 0) context_.poll();
     const std::uint32_t* row = layer.vertices.data() + i * width;
     for (std::size_t j = 1; j < width; ++j) facet[j - 1] = row[j];
+    // Rows that follow one another often have all but the last vertex in common.
+    const bool is_alike = i > 0 && std::equal(row, row + width - 1, row - width);
     for (std::size_t j = 0; j < width; ++j) {
-      const std::uint32_t found = result_.place_of({facet.data(), width - 1});
+      const bool is_known = is_alike && j + 1 == width;
+      const std::uint32_t found = is_known ? layer.facets[i * width - 1] : result_.place_of({facet.data(), width - 1});
       layer.facets[i * width + j] = found;
       if (found == SimplicialComplex::nowhere) {
         missing.insert(missing.end(), facet.begin(), facet.begin() + static_cast<std::ptrdiff_t>(width - 1));
