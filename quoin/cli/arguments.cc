@@ -138,6 +138,28 @@ void add_queries(CLI::App& app, Options& options) {
   interfere->add_option("files", options.inputs, "two or more meshes or .qsolid")->required()->expected(2, 1 << 20);
 }
 
+void add_topology(CLI::App& app, Options& options) {
+  CLI::App* homology =
+      add_command(app, options, "homology", "components, tunnels and voids: Betti numbers over fields, torsion");
+  homology
+      ->add_option("file", options.inputs,
+                   "a mesh, or a text with the vertex numbers of a simplex in each line; '-' for standard input")
+      ->required()
+      ->expected(1);
+  add_repeatable(*homology, "--prime", options.primes, "Betti numbers over this many elements too (may be repeated)");
+  CLI::App* persistence =
+      add_command(app, options, "persistence", "when components, tunnels and voids come and go in a growing complex");
+  persistence
+      ->add_option("file", options.inputs,
+                   "a text with the value and vertex numbers of a simplex in each line; '-' for standard input")
+      ->required()
+      ->expected(1);
+  add_repeatable(*persistence, "--prime", options.primes, "over a field of this many elements (default: 2)");
+  add_repeatable(*persistence, "-o,--output", options.outputs,
+                 "SVG diagram to write; '-' for standard output; may be repeated");
+  persistence->add_flag("--barcode", options.barcode, "draw bars instead of points");
+}
+
 void add_pictures(CLI::App& command, Options& options, const std::string& formats) {
   add_repeatable(
       command, "-o,--output", options.outputs,
@@ -260,6 +282,7 @@ void add_commands(CLI::App& app, Options& options) {
   add_one_file(*add_command(app, options, "width",
                             "of a convex solid: least distance of parallel planes about it, diameter, smallest ball"),
                options);
+  add_topology(app, options);
   add_queries(app, options);
   add_assembly(app, options);
   add_planar(app, options);

@@ -20,6 +20,8 @@ int run_interfere(const Options& options, const Context& context);
 int run_hull(const Options& options, const Context& context);
 int run_distance(const Options& options, const Context& context);
 int run_width(const Options& options, const Context& context);
+int run_homology(const Options& options, const Context& context);
+int run_persistence(const Options& options, const Context& context);
 int run_gaussian_map(const Options& options, const Context& context);
 int run_polytope_sum(const Options& options, const Context& context);
 int run_solid_sum(const Options& options, const Context& context);

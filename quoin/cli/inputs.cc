@@ -47,6 +47,12 @@ bool is_pipe(const std::string& name) {
          std::filesystem::is_socket(status);
 }
 
+ReadOptions read_options(const Options& options) {
+  ReadOptions read;
+  read.weld_tolerance = options.weld_tolerance;
+  return read;
+}
+
 std::string text_of(double number) {
   return nlohmann::json(number).dump();
 }
@@ -60,15 +66,6 @@ Mesh accept(MeshFile file, const std::string& name, const Options& options, std:
                        text_of(file.report.weld_displacement));
   }
   return std::move(file.mesh);
-}
-
-Input input_of_bytes(const std::string& bytes, const std::string& name, const ReadOptions& read, const Options& options,
-                     std::vector<std::string>& warnings, const Context& context) {
-  if (ending_of(name) == ".qsolid" || begins_like_exact_text(bytes)) {
-    if (options.weld_tolerance) warnings.push_back(shown(name) + ": exact text is not welded");
-    return read_exact_text(bytes, shown(name));
-  }
-  return accept(read_mesh(bytes, shown(name), read, context), name, options, warnings);
 }
 
 // The leaf, with the findings as warnings. @throws InputError with the findings where there is none
@@ -88,15 +85,22 @@ bool is_unbounded(const Input& input) {
 
 }  // namespace
 
+Input input_of_bytes(const std::string& bytes, const std::string& name, const Options& options,
+                     std::vector<std::string>& warnings, const Context& context) {
+  if (ending_of(name) == ".qsolid" || begins_like_exact_text(bytes)) {
+    if (options.weld_tolerance) warnings.push_back(shown(name) + ": exact text is not welded");
+    return read_exact_text(bytes, shown(name));
+  }
+  return accept(read_mesh(bytes, shown(name), read_options(options), context), name, options, warnings);
+}
+
 Input read_input(const std::string& name, const Options& options, std::vector<std::string>& warnings,
                  const Context& context) {
-  ReadOptions read;
-  read.weld_tolerance = options.weld_tolerance;
   if (name == standard_stream || is_pipe(name) || ending_of(name) == ".qsolid" ||
       begins_like_exact_text(first_bytes(name))) {
-    return input_of_bytes(read_all(name), name, read, options, warnings, context);
+    return input_of_bytes(read_all(name), name, options, warnings, context);
   }
-  return accept(read_mesh(std::filesystem::path(name), read, context), name, options, warnings);
+  return accept(read_mesh(std::filesystem::path(name), read_options(options), context), name, options, warnings);
 }
 
 LeafResult make_leaf(const Input& input, const std::string& name, const Context& context) {

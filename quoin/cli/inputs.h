@@ -21,6 +21,10 @@ using Input = std::variant<Mesh, Brep>;
 Input read_input(const std::string& name, const Options& options, std::vector<std::string>& warnings,
                  const Context& context);
 
+/// The same from bytes in memory; `name` stands for the file.
+Input input_of_bytes(const std::string& bytes, const std::string& name, const Options& options,
+                     std::vector<std::string>& warnings, const Context& context);
+
 /// An input as an operand, or why it is none.
 LeafResult make_leaf(const Input& input, const std::string& name, const Context& context);
 

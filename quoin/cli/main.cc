@@ -54,7 +54,9 @@ int run(const Options& options) {
                                                {"distance", run_distance},
                                                {"width", run_width},
                                                {"gaussian-map", run_gaussian_map},
-                                               {"assembly", run_assembly}};
+                                               {"assembly", run_assembly},
+                                               {"homology", run_homology},
+                                               {"persistence", run_persistence}};
   return runs.at(options.command)(options, context);
 }
 

@@ -30,6 +30,12 @@ Target trail_target(const std::string& name) {
   return {name, Target::Kind::drawing};
 }
 
+Target diagram_target(const std::string& name) {
+  if (name != standard_stream && ending_of(name) != ".svg")
+    throw UsageError(name + ": diagrams and barcodes are written as .svg");
+  return {name, Target::Kind::drawing};
+}
+
 Target drawing_target(const std::string& name) {
   if (name != standard_stream && ending_of(name) != ".svg")
     throw UsageError(name + ": sections are written as .svg; for a page or a mesh, cut the solid with a Boolean");
@@ -77,6 +83,7 @@ Target target_of(const std::string& name, const Options& options) {
   }
   if (options.command == "section") return drawing_target(name);
   if (options.command == "distance") return trail_target(name);
+  if (options.command == "persistence") return diagram_target(name);
   if (name != standard_stream) return solid_target(name, ending_of(name));
   return solid_target(name, in_small_letters("." + (options.format.empty() ? "off" : options.format)));
 }

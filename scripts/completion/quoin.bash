@@ -3,7 +3,7 @@
 _quoin() {
   local word="${COMP_WORDS[COMP_CWORD]}" previous="${COMP_WORDS[COMP_CWORD - 1]}"
   local commands="union intersection difference xor csg info check repair convert view classify section interfere \
-hull minkowski erode decompose gaussian-map distance width assembly arrange overlay locate polygon envelope"
+hull minkowski erode decompose gaussian-map distance width homology persistence assembly arrange overlay locate polygon envelope"
   local common="--json --threads --timeout --seed --weld -q --quiet -v --verbose -h --help"
   local makes="-o --output --format --accept-rounding"
   local draws="-o --output --format --labels"
@@ -32,7 +32,7 @@ hull minkowski erode decompose gaussian-map distance width assembly arrange over
       mapfile -t COMPREPLY < <(compgen -W "even-odd nonzero positive" -- "$word")
       return
       ;;
-    --ball | --within | --translate | --direction | --threads | --timeout | --seed | --weld | --point | --line | --plane | --flatten | --distance | --precision | --base | --limit) return ;;
+    --ball | --within | --translate | --direction | --prime | --threads | --timeout | --seed | --weld | --point | --line | --plane | --flatten | --distance | --precision | --base | --limit) return ;;
   esac
   if [[ $word == -* ]]; then
     local options="$common"
@@ -40,6 +40,8 @@ hull minkowski erode decompose gaussian-map distance width assembly arrange over
       union | intersection | difference | xor | csg | repair | convert | view | hull | decompose) options+=" $makes" ;;
       minkowski | erode) options+=" $makes --ball --within --inner" ;;
       gaussian-map) options+=" $draws --cube" ;;
+      homology) options+=" --prime" ;;
+      persistence) options+=" --prime --barcode -o --output" ;;
       assembly)
         options+=" -o --output --format --sequence --sequence-only --infinitesimal --direction --one-part --base --prune --limit"
         ;;

@@ -17,8 +17,15 @@ COMMANDS = {"union": ["a.off", "b.off"], "intersection": ["a.off", "b.off"], "di
             "classify": ["a.off", "--point", "1,1,1"], "section": ["a.off", "--plane", "0,0,1,1"],
             "interfere": ["a.off", "b.off"], "hull": ["a.off", "b.off"], "minkowski": ["a.off", "b.off"],
             "erode": ["a.off", "b.off"], "decompose": ["a.off", "-o", "p.off"],
-            "distance": ["a.off", "b.off"], "width": ["a.off"], "gaussian-map": ["a.off"], "assembly": ["a.off", "far.off"]}
+            "distance": ["a.off", "b.off"], "width": ["a.off"], "gaussian-map": ["a.off"], "assembly": ["a.off", "far.off"],
+            "homology": ["a.off"], "persistence": ["a.txt"]}
+DRAWERS = ("section", "persistence")  # which write svg alone
 MAKERS = ("union", "intersection", "difference", "xor", "csg", "repair", "convert", "view", "hull", "minkowski", "erode")
+
+
+def with_file(words, name):
+    """The words of a command, about another file."""
+    return [w.replace("a.off", name).replace("a.txt", name) for w in words]
 
 
 class Usage(CommandTest):
@@ -76,33 +83,34 @@ class Usage(CommandTest):
 class Codes(CommandTest):
     def test_bad_geometry(self):
         for command, words in COMMANDS.items():
-            if command != "hull":  # which takes the vertices
-                self.run_quoin(command, *[w.replace("a.off", "open.off") for w in words], code=REFUSED)
-            self.run_quoin(command, *[w.replace("a.off", "rubbish.off") for w in words], code=REFUSED)
+            if command not in ("hull", "homology"):  # which take what bounds no solid
+                self.run_quoin(command, *with_file(words, "open.off"), code=REFUSED)
+            self.run_quoin(command, *with_file(words, "rubbish.off"), code=REFUSED)
 
     def test_missing_files_and_folders(self):
         (self.folder / "folder.off").mkdir()
         for command, words in COMMANDS.items():
             for name in ("missing.off", "missing.qsolid", "folder.off"):
-                done = self.run_quoin(command, *[w.replace("a.off", name) for w in words], code=FILE_TROUBLE)
+                done = self.run_quoin(command, *with_file(words, name), code=FILE_TROUBLE)
                 self.assertIn(name, done.stderr)
 
     def test_unwritable_outputs(self):
         for command in MAKERS:
             for name in ("no/such/folder.off", "no/such/folder.qsolid"):
                 self.run_quoin(command, *COMMANDS[command], "-o", name, code=FILE_TROUBLE)
-        self.run_quoin("section", *COMMANDS["section"], "-o", "no/such.svg", code=FILE_TROUBLE)
+        for command in DRAWERS:
+            self.run_quoin(command, *COMMANDS[command], "-o", "no/such.svg", code=FILE_TROUBLE)
 
     @unittest.skipUnless(os.path.exists("/dev/full"), "there is no /dev/full")
     def test_full_devices(self):
         for ending in ("off", "obj", "stl", "ply", "qsolid", "svg"):
             (self.folder / f"full.{ending}").symlink_to("/dev/full")
         for command, words in COMMANDS.items():
-            endings = ["svg"] if command == "section" else ["off", "obj", "stl", "ply", "qsolid"]
-            if command in (*MAKERS, "section"):
+            endings = ["svg"] if command in DRAWERS else ["off", "obj", "stl", "ply", "qsolid"]
+            if command in (*MAKERS, *DRAWERS):
                 for ending in endings:
                     self.run_quoin(command, *words, "-o", f"full.{ending}", code=FILE_TROUBLE)
-            for more in ([], ["--json"], *([["-o", "-"]] if command in (*MAKERS, "section") else [])):
+            for more in ([], ["--json"], *([["-o", "-"]] if command in (*MAKERS, *DRAWERS) else [])):
                 with open("/dev/full", "w", encoding="ascii") as full:
                     done = subprocess.run([self.quoin, command, *words, *more], stdout=full, stderr=subprocess.PIPE,
                                           cwd=self.folder, timeout=60, check=False)

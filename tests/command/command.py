@@ -31,7 +31,8 @@ def open_box():
 
 
 class CommandTest(unittest.TestCase):
-    """A folder with a.off = [0, 2]^3, b.off = [1, 3]^3, far.off, open.off (no lid) and rubbish.off."""
+    """A folder with a.off = [0, 2]^3, b.off = [1, 3]^3, far.off, open.off (no lid), rubbish.off, and a.txt, an edge that
+    grows."""
 
     quoin = ""
 
@@ -43,6 +44,7 @@ class CommandTest(unittest.TestCase):
         self.write("b.off", box((1, 1, 1), (3, 3, 3)))
         self.write("far.off", box((9, 9, 9), (10, 10, 10)))
         self.write("open.off", open_box())
+        self.write("a.txt", "0 0\n0 1\n1 0 1\n")
         self.write("rubbish.off", "OFF\n3 1 0\n0 0 0\n")
 
     def write(self, name, text):

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// Times persistent homology and prints a line of JSON; peers/gudhi_persistence.cc does the same with GUDHI.
+//
+//   persistence_bench [--rounds N] [--threads N] [--prime P] [--method M] grid N SMOOTHING | rips ... | file PATH
+#include <chrono>
+#include <cstdio>
+#include <exception>
+#include <string>
+#include <vector>
+
+#include "filtered_simplices.h"
+#include "peak_memory.h"
+#include "quoin/topology/homology.h"
+#include "quoin/topology/persistence.h"
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds(Clock::time_point from, Clock::time_point to) {
+  return std::chrono::duration<double>(to - from).count();
+}
+
+struct Settings {
+  int rounds = 1;
+  unsigned threads = 1;
+  quoin::PersistenceOptions how;
+};
+
+void run(const std::vector<std::string>& words, const Settings& settings) {
+  filtered_simplices::List input = filtered_simplices::make(words);
+  quoin::SimplexList simplices;
+  for (std::size_t i = 0; i < input.size(); ++i)
+    simplices.add({input.vertices.data() + input.begin[i], input.begin[i + 1] - input.begin[i]});
+  input.vertices = {};
+  input.begin = {};
+  const long input_kb = peak_kb();
+  const quoin::Context context({.threads = settings.threads});
+  double build = 1e300;
+  double best = 1e300;
+  std::vector<std::size_t> pairs;
+  std::size_t count = 0;
+  for (int round = 0; round < settings.rounds; ++round) {
+    const auto start = Clock::now();
+    const quoin::Grades<double> grades = quoin::grades_of<double>(input.values);
+    const quoin::Filtration filtration = quoin::filtration_of(simplices, grades.grade, context);
+    const auto built = Clock::now();
+    const auto found = quoin::persistence(filtration, settings.how, context);
+    const auto end = Clock::now();
+    build = std::min(build, seconds(start, built));
+    best = std::min(best, seconds(built, end));
+    pairs.assign(filtration.complex.dimension() + 1, 0);
+    for (const quoin::PersistencePair& pair : found) ++pairs[pair.degree];
+    count = filtration.complex.size();
+  }
+  std::printf("{\"simplices\": %zu, \"build_seconds\": %.9f, \"seconds\": %.9f, \"pairs\": [", count, build, best);
+  for (std::size_t k = 0; k < pairs.size(); ++k) std::printf("%s%zu", k == 0 ? "" : ", ", pairs[k]);
+  std::printf("], \"input_kb\": %ld, \"peak_kb\": %ld}\n", input_kb, peak_kb());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Settings settings;
+  std::vector<std::string> words;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word == "--rounds" && i + 1 < argc) {
+      settings.rounds = std::atoi(argv[++i]);
+    } else if (word == "--threads" && i + 1 < argc) {
+      settings.threads = static_cast<unsigned>(std::atoi(argv[++i]));
+    } else if (word == "--prime" && i + 1 < argc) {
+      settings.how.prime = static_cast<std::uint32_t>(std::atoi(argv[++i]));
+    } else if (word == "--method" && i + 1 < argc) {
+      settings.how.method = static_cast<quoin::PersistenceMethod>(std::atoi(argv[++i]));
+    } else {
+      words.push_back(word);
+    }
+  }
+  try {
+    run(words, settings);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+  return 0;
+}

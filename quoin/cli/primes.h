@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "quoin/cli/options.h"
+
+namespace quoin::cli {
+
+/// The numbers of --prime, in the order in which they are given. @throws UsageError  one is not a prime below 2^31
+std::vector<std::uint32_t> primes_of(const Options& options);
+
+}  // namespace quoin::cli
