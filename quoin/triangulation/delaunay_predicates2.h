@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <span>
+
+#include "quoin/base/sign.h"
+#include "quoin/kernel/point.h"
+#include "quoin/kernel/predicates2.h"
+#include "quoin/triangulation/triangulation2.h"
+
+namespace quoin {
+
+/// The rule for cocircular points: d, in the circle of a, b, c if the lexicographically largest of the four is lifted a
+/// little. Not if d is the largest; if a is, exactly when d is on a's side of the line through b and c.
+/// Source: Devillers and Teillaud 2011, and predicates of perturbed heights in general.
+bool is_in_circle_by_tie(const Point2& a, const Point2& b, const Point2& c, const Point2& d);
+
+/// What the insertion asks about points of a Delaunay triangulation: turns, and whether a point is in the circle of a
+/// triangle.
+///
+/// Exact for all finite doubles: filters inline; where all points lie on a grid, a double whose parts stay below 2^53
+/// units is the value itself; then the exact tiers of predicates2.h. Cocircular points are decided as if each were
+/// lifted by an infinitesimal, far larger for lexicographically larger points: so there is one triangulation, a
+/// function of the set of points (Devillers and Teillaud 2011).
+///
+/// The point at the index of the infinite vertex must be (NaN, NaN): filters never decide about it, so the ordinary
+/// case need not ask whether a triangle is infinite.
+class DelaunayPredicates2 {
+ public:
+  /// Point views stay the caller's; `points` ends with the infinite one. O(n), less if no grid is found.
+  explicit DelaunayPredicates2(std::span<const Point2> points);
+
+  const Point2& point(std::uint32_t v) const { return points_[v]; }
+
+  /// Turn of two finite vertices and a point. The error of a cross product is that of filter::cross.
+  Sign turn(std::uint32_t a, std::uint32_t b, const Point2& p) const {
+    const Point2& pa = points_[a];
+    const Point2& pb = points_[b];
+    const double left = (pb.x - pa.x) * (p.y - pa.y);
+    const double right = (pb.y - pa.y) * (p.x - pa.x);
+    const double value = left - right;
+    const double size = std::fabs(left) + std::fabs(right);
+    if (std::fabs(value) > 4.45e-16 * size + 0x1p-1000) [[likely]]
+      return value > 0 ? Sign::positive : Sign::negative;
+    if (size < turn_exact_below_) return sign_of(value);
+    return orientation(pa, pb, p);
+  }
+
+  /// Whether the point is in the open circle of the triangle; of an infinite one, in the open half-plane beyond its
+  /// edge, or in the edge.
+  ///
+  /// The filter is that of filter::in_circle with the sum S of the three lifts in the place of the maxima: XY <= M^2 <=
+  /// S (1 + u), so the error is at most 1.43e-14 S^2; where 8 S^2 is finite, all parts are. Underflow: 2^-1075 in each
+  /// of 12 products times lifts or minors, at most 2^-1070 (1 + S) < 2^-1000 + 1e-16 S^2. On a grid of unit g, all
+  /// parts are multiples of g^2 or g^4 of at most 12 S^2, exact below 2^53 g^4: for S < 2^24 g^2.
+  bool in_conflict(const TriangleLinks2& t, const Point2& d) const {
+    const Point2& a = points_[t.corner[0]];
+    const Point2& b = points_[t.corner[1]];
+    const Point2& c = points_[t.corner[2]];
+    const double ax = a.x - d.x;
+    const double ay = a.y - d.y;
+    const double bx = b.x - d.x;
+    const double by = b.y - d.y;
+    const double cx = c.x - d.x;
+    const double cy = c.y - d.y;
+    const double la = ax * ax + ay * ay;
+    const double lb = bx * bx + by * by;
+    const double lc = cx * cx + cy * cy;
+    const double value = la * (bx * cy - by * cx) + lb * (cx * ay - cy * ax) + lc * (ax * by - ay * bx);
+    const double size = la + lb + lc;
+    if (std::fabs(value) > 8 * size * size * (1.5e-14 / 8) + 0x1p-1000) [[likely]]
+      return value > 0;
+    if (size < circle_exact_below_) return value != 0 ? value > 0 : is_in_circle_by_tie(a, b, c, d);
+    return decide_slowly(t, d);
+  }
+
+ private:
+  void find_grid();
+  bool decide_slowly(const TriangleLinks2& t, const Point2& d) const;
+
+  std::span<const Point2> points_;
+  double turn_exact_below_ = 0;
+  double circle_exact_below_ = 0;
+};
+
+}  // namespace quoin
