@@ -58,6 +58,17 @@ bool is_in_circle_by_tie(const Point2& a, const Point2& b, const Point2& c, cons
   return orientation(*from, *to, d) == Sign::positive;
 }
 
+Sign DelaunayPredicates2::circle_side(const std::array<Vertex2, 3>& t, Vertex2 d) const {
+  const Point2& pa = points_[t[0].index()];
+  const Point2& pb = points_[t[1].index()];
+  const Point2& pc = points_[t[2].index()];
+  const Point2& pd = points_[d.index()];
+  const filter::InCircle det(pa, pb, pc, pd);
+  // The sum of the lifts is at most 3 (x^2 + y^2) of the maxima.
+  if (3 * (det.x * det.x + det.y * det.y) < circle_exact_below_) return sign_of(det.value);
+  return in_circle(pa, pb, pc, pd);
+}
+
 [[gnu::noinline]] bool DelaunayPredicates2::decide_slowly(const TriangleLinks2& t, const Point2& d) const {
   const auto infinite = static_cast<std::uint32_t>(points_.size() - 1);
   for (unsigned slot = 0; slot < 3; ++slot) {

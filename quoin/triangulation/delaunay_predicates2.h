@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <span>
@@ -33,6 +34,10 @@ class DelaunayPredicates2 {
   explicit DelaunayPredicates2(std::span<const Point2> points);
 
   const Point2& point(std::uint32_t v) const { return points_[v]; }
+
+  /// Side of the circle through three finite vertices on which a fourth lies, without the rule for ties: the same as
+  /// in_circle of the points, fast on grids.
+  Sign circle_side(const std::array<Vertex2, 3>& t, Vertex2 d) const;
 
   /// Turn of two finite vertices and a point. The error of a cross product is that of filter::cross.
   Sign turn(std::uint32_t a, std::uint32_t b, const Point2& p) const {
