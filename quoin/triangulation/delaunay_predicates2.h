@@ -30,6 +30,8 @@ bool is_in_circle_by_tie(const Point2& a, const Point2& b, const Point2& c, cons
 /// case need not ask whether a triangle is infinite.
 class DelaunayPredicates2 {
  public:
+  using Query = Point2;
+
   /// Point views stay the caller's; `points` ends with the infinite one. O(n), less if no grid is found.
   explicit DelaunayPredicates2(std::span<const Point2> points);
 

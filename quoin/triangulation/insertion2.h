@@ -30,10 +30,13 @@ inline unsigned insertion_round2(std::uint32_t rank) {
 /// gives the boundary in cyclic order, and no triangle need be marked. One more than removed, and one, are made anew:
 /// the list never has holes.
 ///
-/// `Predicates` has point(v), turn(a, b, point) and in_conflict(triangle, point); see delaunay_predicates2.h.
+/// `Predicates` has a type Query, point(v) that makes one, turn(a, b, query) and in_conflict(triangle, query); see
+/// delaunay_predicates2.h.
 template <class Predicates>
 class Insertion2 {
  public:
+  using Query = typename Predicates::Query;
+
   Insertion2(const Predicates& predicates, std::size_t vertex_count, const Context& context)
       : predicates_(predicates), context_(context), infinite_(static_cast<std::uint32_t>(vertex_count)) {}
 
@@ -82,13 +85,13 @@ class Insertion2 {
         context_.poll();
       }
     }
-    const Point2 p = predicates_.point(v);
+    const Query p = predicates_.point(v);
     find_conflicts(locate(p), p);
     fill_star(v);
   }
 
   // A triangle in conflict with the point: one that holds it, or an infinite one beyond whose edge it is.
-  std::uint32_t locate(const Point2& p) const {
+  std::uint32_t locate(const Query& p) const {
     std::uint32_t t = last_;
     for (unsigned slot = 0; slot < 3; ++slot) {
       if (triangles_[t].corner[slot] == infinite_) {
@@ -116,7 +119,7 @@ class Insertion2 {
     }
   }
 
-  void find_conflicts(std::uint32_t first, const Point2& p) {
+  void find_conflicts(std::uint32_t first, const Query& p) {
     removed_.clear();
     boundary_.clear();
     pending_.clear();
