@@ -12,6 +12,7 @@ namespace quoin {
 /// distinct. The same answers as DelaunayPredicates2 gives for doubles, ties included; exact.
 class ConstructedPredicates2 {
  public:
+  static constexpr bool may_hide = false;
   using Query = PointId;
 
   explicit ConstructedPredicates2(const Constructions& table) : table_(table) {}

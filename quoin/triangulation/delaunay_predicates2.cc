@@ -20,24 +20,24 @@ int lowest_bit(double x) {
 
 }  // namespace
 
-DelaunayPredicates2::DelaunayPredicates2(std::span<const Point2> points) : points_(points) {
-  find_grid();
-}
-
-// Grids of more than 2^40 units are of no use: neighbours are seldom near enough.
-void DelaunayPredicates2::find_grid() {
+std::optional<int> grid_unit(std::span<const Point2> points) {
   constexpr int useful_bits = 40;
   int unit = std::numeric_limits<int>::max();
   double largest = 0;
-  for (const Point2& p : points_.first(points_.size() - 1)) {
+  for (const Point2& p : points) {
     unit = std::min({unit, lowest_bit(p.x), lowest_bit(p.y)});
     largest = std::max({largest, std::fabs(p.x), std::fabs(p.y)});
-    if (largest > 0 && std::ilogb(largest) - unit > useful_bits) return;
+    if (largest > 0 && std::ilogb(largest) - unit > useful_bits) return std::nullopt;
   }
-  // Fourth powers of the unit, times 2^52, must be doubles.
-  if (largest == 0 || unit < -250 || unit > 200) return;
-  turn_exact_below_ = std::ldexp(1.0, 52 + 2 * unit);
-  circle_exact_below_ = std::ldexp(1.0, 24 + 2 * unit);
+  if (largest == 0 || unit < -250 || unit > 200) return std::nullopt;
+  return unit;
+}
+
+DelaunayPredicates2::DelaunayPredicates2(std::span<const Point2> points) : points_(points) {
+  const std::optional<int> unit = grid_unit(points.first(points.size() - 1));
+  if (!unit) return;
+  turn_exact_below_ = std::ldexp(1.0, 52 + 2 * *unit);
+  circle_exact_below_ = std::ldexp(1.0, 24 + 2 * *unit);
 }
 
 bool is_in_circle_by_tie(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "quoin/base/sign.h"
@@ -18,6 +19,10 @@ namespace quoin {
 /// Source: Devillers and Teillaud 2011, and predicates of perturbed heights in general.
 bool is_in_circle_by_tie(const Point2& a, const Point2& b, const Point2& c, const Point2& d);
 
+/// The largest unit 2^k of which all coordinates are multiples, if it is of use to predicates: at most 2^40 times are
+/// the largest, and fourth powers of it are doubles. O(n), less if there is none.
+std::optional<int> grid_unit(std::span<const Point2> points);
+
 /// What the insertion asks about points of a Delaunay triangulation: turns, and whether a point is in the circle of a
 /// triangle.
 ///
@@ -30,6 +35,7 @@ bool is_in_circle_by_tie(const Point2& a, const Point2& b, const Point2& c, cons
 /// case need not ask whether a triangle is infinite.
 class DelaunayPredicates2 {
  public:
+  static constexpr bool may_hide = false;
   using Query = Point2;
 
   /// Point views stay the caller's; `points` ends with the infinite one. O(n), less if no grid is found.
@@ -84,7 +90,6 @@ class DelaunayPredicates2 {
   }
 
  private:
-  void find_grid();
   bool decide_slowly(const TriangleLinks2& t, const Point2& d) const;
 
   std::span<const Point2> points_;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -30,8 +32,12 @@ inline unsigned insertion_round2(std::uint32_t rank) {
 /// gives the boundary in cyclic order, and no triangle need be marked. One more than removed, and one, are made anew:
 /// the list never has holes.
 ///
-/// `Predicates` has a type Query, point(v) that makes one, turn(a, b, query) and in_conflict(triangle, query); see
-/// delaunay_predicates2.h.
+/// Points with weights may hide each other: then the disc may have inner vertices, which go, its triangles are marked
+/// so that none is met twice (the boundary is still in order: edges met twice drop out of it), and the list has holes
+/// until the end.
+///
+/// `Predicates` says whether points may_hide, has a type Query, point(v) that makes one, turn(a, b, query) and
+/// in_conflict(triangle, query); see delaunay_predicates2.h.
 template <class Predicates>
 class Insertion2 {
  public:
@@ -60,6 +66,7 @@ class Insertion2 {
     for (std::uint32_t v = 0; v < infinite_; ++v) {
       if (insertion_round2(v) == 0 && !is_start(v)) insert_and_poll(v);
     }
+    close_holes();
     return std::move(triangles_);
   }
 
@@ -86,7 +93,11 @@ class Insertion2 {
       }
     }
     const Query p = predicates_.point(v);
-    find_conflicts(locate(p), p);
+    const std::uint32_t first = locate(p);
+    if constexpr (Predicates::may_hide) {
+      if (!predicates_.in_conflict(triangles_[first], p)) return;
+    }
+    find_conflicts(first, p);
     fill_star(v);
   }
 
@@ -123,30 +134,67 @@ class Insertion2 {
     removed_.clear();
     boundary_.clear();
     pending_.clear();
-    removed_.push_back(first);
+    remove(first);
     for (unsigned slot = 3; slot-- > 0;) pending_.push_back(triangles_[first].across[slot]);
     while (!pending_.empty()) {
       const std::uint32_t code = pending_.back();
       pending_.pop_back();
+      if constexpr (Predicates::may_hide) {
+        if (is_removed_.size() > code / 4 && is_removed_[code / 4] != 0) continue;
+      }
       const TriangleLinks2& t = triangles_[code / 4];
       if (!predicates_.in_conflict(t, p)) {
         boundary_.push_back(code);
         continue;
       }
-      removed_.push_back(code / 4);
+      remove(code / 4);
       const unsigned slot = code % 4;
       pending_.push_back(t.across[previous_slot(slot)]);
       pending_.push_back(t.across[next_slot(slot)]);
     }
   }
 
-  // The boundary is in counterclockwise order, each edge as seen from outside.
-  void fill_star(std::uint32_t v) {
-    const std::size_t count = boundary_.size();
+  void remove(std::uint32_t t) {
+    removed_.push_back(t);
+    if constexpr (Predicates::may_hide) {
+      if (is_removed_.size() <= t) is_removed_.resize(std::max<std::size_t>(t + 1, triangles_.size()), 0);
+      is_removed_[t] = 1;
+    }
+  }
+
+  // As many ids as the star has triangles; where inner vertices were hidden, some are left over.
+  void take_ids(std::size_t count) {
+    if constexpr (Predicates::may_hide) {
+      for (const std::uint32_t t : removed_) is_removed_[t] = 0;
+      for (; removed_.size() > count; removed_.pop_back()) free_.push_back(removed_.back());
+      for (; removed_.size() < count && !free_.empty(); free_.pop_back()) removed_.push_back(free_.back());
+    }
     while (removed_.size() < count) {
       removed_.push_back(static_cast<std::uint32_t>(triangles_.size()));
       triangles_.emplace_back();
     }
+  }
+
+  // Triangles from the end fill the holes.
+  void close_holes() {
+    std::sort(free_.begin(), free_.end(), std::greater<>());
+    for (const std::uint32_t hole : free_) {
+      const auto last = static_cast<std::uint32_t>(triangles_.size() - 1);
+      if (hole != last) {
+        triangles_[hole] = triangles_[last];
+        for (unsigned slot = 0; slot < 3; ++slot) {
+          const std::uint32_t other = triangles_[hole].across[slot];
+          triangles_[other / 4].across[other % 4] = 4 * hole + slot;
+        }
+      }
+      triangles_.pop_back();
+    }
+  }
+
+  // The boundary is in counterclockwise order, each edge as seen from outside.
+  void fill_star(std::uint32_t v) {
+    const std::size_t count = boundary_.size();
+    take_ids(count);
     std::uint32_t before = removed_[count - 1];
     std::uint32_t from = triangles_[boundary_[0] / 4].corner[previous_slot(boundary_[0] % 4)];
     for (std::size_t k = 0; k < count; ++k) {
@@ -172,6 +220,8 @@ class Insertion2 {
   std::vector<std::uint32_t> removed_;
   std::vector<std::uint32_t> boundary_;
   std::vector<std::uint32_t> pending_;
+  std::vector<std::uint8_t> is_removed_;  // where points may hide
+  std::vector<std::uint32_t> free_;
 };
 
 }  // namespace quoin::detail
