@@ -72,7 +72,7 @@ TriangleSet brute_force(const std::vector<Point2>& p) {
 TEST(Delaunay2, TrianglesAreThoseWithEmptyCircles) {
   Random random(1);
   for (const PointSetFamily& family : point_sets()) {
-    for (int round = 0; round < test_rounds(20); ++round) {
+    for (int round = 0; round < test_rounds(12); ++round) {
       const std::vector<Point2> points = family.make(random, 1 + random() % 14);
       SCOPED_TRACE(std::string(family.name) + ": " + reproduce(points));
       const Delaunay2 delaunay(points);

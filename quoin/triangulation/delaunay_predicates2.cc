@@ -33,7 +33,8 @@ std::optional<int> grid_unit(std::span<const Point2> points) {
   return unit;
 }
 
-DelaunayPredicates2::DelaunayPredicates2(std::span<const Point2> points) : points_(points) {
+DelaunayPredicates2::DelaunayPredicates2(std::span<const Point2> points)
+    : points_(points), infinite_(static_cast<std::uint32_t>(points.size() - 1)) {
   const std::optional<int> unit = grid_unit(points.first(points.size() - 1));
   if (!unit) return;
   turn_exact_below_ = std::ldexp(1.0, 52 + 2 * *unit);
@@ -70,9 +71,8 @@ Sign DelaunayPredicates2::circle_side(const std::array<Vertex2, 3>& t, Vertex2 d
 }
 
 [[gnu::noinline]] bool DelaunayPredicates2::decide_slowly(const TriangleLinks2& t, const Point2& d) const {
-  const auto infinite = static_cast<std::uint32_t>(points_.size() - 1);
   for (unsigned slot = 0; slot < 3; ++slot) {
-    if (t.corner[slot] != infinite) continue;
+    if (t.corner[slot] != infinite_) continue;
     const std::uint32_t from = t.corner[next_slot(slot)];
     const std::uint32_t to = t.corner[previous_slot(slot)];
     const Sign side = turn(from, to, d);

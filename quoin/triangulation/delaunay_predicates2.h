@@ -40,6 +40,8 @@ class DelaunayPredicates2 {
 
   /// Point views stay the caller's; `points` ends with the infinite one. O(n), less if no grid is found.
   explicit DelaunayPredicates2(std::span<const Point2> points);
+  /// The same with another infinite vertex, without a search for a grid. O(1).
+  DelaunayPredicates2(std::span<const Point2> points, Vertex2 infinite) : points_(points), infinite_(infinite.value) {}
 
   const Point2& point(std::uint32_t v) const { return points_[v]; }
 
@@ -93,6 +95,7 @@ class DelaunayPredicates2 {
   bool decide_slowly(const TriangleLinks2& t, const Point2& d) const;
 
   std::span<const Point2> points_;
+  std::uint32_t infinite_;
   double turn_exact_below_ = 0;
   double circle_exact_below_ = 0;
 };

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -69,6 +70,21 @@ class Insertion2 {
     close_holes();
     return std::move(triangles_);
   }
+
+  /// For a triangulation that changes: takes its triangles and gives them back after some insertions.
+  void adopt(LargeVector<TriangleLinks2>&& triangles, std::uint32_t near) {
+    triangles_ = std::move(triangles);
+    last_ = near;
+  }
+  LargeVector<TriangleLinks2> release() { return std::move(triangles_); }
+  void start(const std::array<std::uint32_t, 3>& corners) { make_first(corners); }
+  /// The triangles about v; only where points do not hide.
+  std::span<const std::uint32_t> insert(std::uint32_t v) {
+    insert_and_poll(v);
+    return removed_;
+  }
+  /// A triangle that holds the query, or an infinite one beyond whose edge it is.
+  std::uint32_t find(const Query& query) const { return locate(query); }
 
  private:
   static constexpr std::uint32_t poll_step = 1024;

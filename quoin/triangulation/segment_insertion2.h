@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "quoin/base/large_vector.h"
+#include "quoin/triangulation/cavity_fill2.h"
 #include "quoin/triangulation/triangulation2.h"
 
 namespace quoin::detail {
@@ -25,7 +26,8 @@ class SegmentInsertion2 {
         triangles_(triangles),
         infinite_(static_cast<std::uint32_t>(vertex_count)),
         star_(vertex_count + 1),
-        is_removed_(triangles.size(), 0) {
+        is_removed_(triangles.size(), 0),
+        fill_(predicates, triangles, infinite_) {
     for (std::uint32_t t = 0; t < triangles_.size(); ++t) update_star(t);
   }
 
@@ -35,24 +37,18 @@ class SegmentInsertion2 {
     if (!find_first_crossing(u, v)) return;
     cross_triangles();
     note_outer_edges();
-    made_ = 0;
-    fill(from_, to_, left_);
+    fill_.begin(removed_, outer_);
+    fill_.fill(from_, to_, left_, false);
     std::reverse(right_.begin(), right_.end());
-    fill(to_, from_, right_);
-    join_sides();
-    for (const std::uint32_t t : removed_) is_removed_[t] = 0;
+    fill_.fill(to_, from_, right_, false);
+    fill_.end();
+    for (const std::uint32_t t : removed_) {
+      is_removed_[t] = 0;
+      update_star(t);
+    }
   }
 
  private:
-  struct Side {
-    std::uint64_t ends;
-    std::uint32_t code;
-  };
-  struct Base {
-    std::uint32_t from, to;
-    std::size_t begin, end;  // of the chain above it
-  };
-
   std::uint32_t source(std::uint32_t code) const { return triangles_[code / 4].corner[next_slot(code % 4)]; }
   std::uint32_t target(std::uint32_t code) const { return triangles_[code / 4].corner[previous_slot(code % 4)]; }
   std::uint32_t around_source(std::uint32_t code) const { return triangles_[code / 4].across[previous_slot(code % 4)]; }
@@ -109,53 +105,12 @@ class SegmentInsertion2 {
     for (const std::uint32_t t : removed_) is_removed_[t] = 1;
   }
 
-  static std::uint64_t ends_of(std::uint32_t a, std::uint32_t b) {
-    return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
-  }
-
   void note_outer_edges() {
-    sides_.clear();
+    outer_.clear();
     for (const std::uint32_t t : removed_) {
       for (const std::uint32_t other : triangles_[t].across) {
-        if (is_removed_[other / 4] == 0) sides_.push_back({ends_of(source(other), target(other)), other});
+        if (is_removed_[other / 4] == 0) outer_.push_back(other);
       }
-    }
-  }
-
-  void fill(std::uint32_t from, std::uint32_t to, const std::vector<std::uint32_t>& chain) {
-    bases_.assign(1, {from, to, 0, chain.size()});
-    while (!bases_.empty()) {
-      const Base base = bases_.back();
-      bases_.pop_back();
-      std::size_t apex = base.begin;
-      for (std::size_t i = base.begin + 1; i < base.end; ++i) {
-        if (chain[i] == chain[apex]) continue;
-        const TriangleLinks2 triangle{{base.from, base.to, chain[apex]}, {}};
-        if (predicates_.in_conflict(triangle, predicates_.point(chain[i]))) apex = i;
-      }
-      make_triangle({base.from, base.to, chain[apex]});
-      if (apex > base.begin) bases_.push_back({base.from, chain[apex], base.begin, apex});
-      if (apex + 1 < base.end) bases_.push_back({chain[apex], base.to, apex + 1, base.end});
-    }
-  }
-
-  void make_triangle(const std::array<std::uint32_t, 3>& corner) {
-    const std::uint32_t id = removed_[made_++];
-    triangles_[id].corner = corner;
-    for (unsigned slot = 0; slot < 3; ++slot) {
-      sides_.push_back({ends_of(corner[next_slot(slot)], corner[previous_slot(slot)]), 4 * id + slot});
-    }
-    update_star(id);
-  }
-
-  // Each edge has two sides now.
-  void join_sides() {
-    std::sort(sides_.begin(), sides_.end(), [](const Side& a, const Side& b) { return a.ends < b.ends; });
-    for (std::size_t i = 0; i + 1 < sides_.size(); i += 2) {
-      const std::uint32_t a = sides_[i].code;
-      const std::uint32_t b = sides_[i + 1].code;
-      triangles_[a / 4].across[a % 4] = b;
-      triangles_[b / 4].across[b % 4] = a;
     }
   }
 
@@ -167,12 +122,11 @@ class SegmentInsertion2 {
   std::uint32_t from_ = 0;
   std::uint32_t to_ = 0;
   std::uint32_t entry_ = 0;
-  std::size_t made_ = 0;
   std::vector<std::uint32_t> removed_;
   std::vector<std::uint32_t> left_;
   std::vector<std::uint32_t> right_;
-  std::vector<Side> sides_;
-  std::vector<Base> bases_;
+  std::vector<std::uint32_t> outer_;
+  CavityFill2<Predicates> fill_;
 };
 
 }  // namespace quoin::detail

@@ -9,33 +9,54 @@ namespace quoin {
 
 namespace {
 
-void rotate_to_smallest(TriangleLinks2& t) {
-  const auto least = std::min_element(t.corner.begin(), t.corner.end()) - t.corner.begin();
-  std::rotate(t.corner.begin(), t.corner.begin() + least, t.corner.end());
-  std::rotate(t.across.begin(), t.across.begin() + least, t.across.end());
-}
-
 unsigned smallest_slot(const TriangleLinks2& t) {
-  return static_cast<unsigned>(std::min_element(t.corner.begin(), t.corner.end()) - t.corner.begin());
+  const auto& v = t.corner;
+  return v[0] < v[1] ? (v[0] < v[2] ? 0 : 2) : (v[1] < v[2] ? 1 : 2);
 }
 
-// The triangles in the order of their corners.
-LargeVector<std::uint32_t> canonical_order(const LargeVector<TriangleLinks2>& triangles, std::size_t vertex_count) {
-  std::vector<std::uint32_t> begin(vertex_count + 2, 0);
-  const auto least = [&](const TriangleLinks2& t) { return t.corner[smallest_slot(t)]; };
-  for (const TriangleLinks2& t : triangles) ++begin[least(t) + 1];
+template <class T>
+std::array<T, 3> turned(const std::array<T, 3>& a, unsigned first) {
+  return {a[first], a[next_slot(first)], a[previous_slot(first)]};
+}
+
+// Slots turn with the corners of the neighbour, so they are known for all before any corner turns.
+void turn_smallest_first(LargeVector<TriangleLinks2>& triangles) {
+  LargeVector<std::uint8_t> first(triangles.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    first[t] = static_cast<std::uint8_t>(smallest_slot(triangles[t]));
+  }
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    TriangleLinks2& triangle = triangles[t];
+    for (std::uint32_t& code : triangle.across) {
+      const unsigned slot = code % 4;
+      const unsigned least = first[code / 4];
+      code = code - slot + (slot < least ? slot + 3 - least : slot - least);
+    }
+    triangle = {turned(triangle.corner, first[t]), turned(triangle.across, first[t])};
+  }
+}
+
+// The new number of each triangle in the order of their corners, the smallest of which are first in each. There are two
+// triangles for each smallest corner on average.
+LargeVector<std::uint32_t> canonical_numbers(const LargeVector<TriangleLinks2>& triangles, std::size_t vertex_count) {
+  LargeVector<std::uint32_t> begin(vertex_count + 2, 0);
+  for (const TriangleLinks2& t : triangles) ++begin[t.corner[0] + 1];
   for (std::size_t v = 0; v <= vertex_count; ++v) begin[v + 1] += begin[v];
   LargeVector<std::uint32_t> order(triangles.size());
-  for (std::uint32_t i = 0; i < triangles.size(); ++i) order[begin[least(triangles[i])]++] = i;
-  const auto second = [&](std::uint32_t i) { return triangles[i].corner[next_slot(smallest_slot(triangles[i]))]; };
+  for (std::uint32_t i = 0; i < triangles.size(); ++i) order[begin[triangles[i].corner[0]]++] = i;
   // begin[v] is now where the triangles of v end. Those that have it as the smallest corner differ in the next.
-  std::uint32_t start = 0;
+  LargeVector<std::uint32_t> number(triangles.size());
+  std::vector<std::uint64_t> keys;
+  std::uint32_t next = 0;
   for (std::size_t v = 0; v <= vertex_count; ++v) {
-    std::sort(order.begin() + start, order.begin() + begin[v],
-              [&](std::uint32_t a, std::uint32_t b) { return second(a) < second(b); });
-    start = begin[v];
+    keys.clear();
+    for (std::uint32_t i = next; i < begin[v]; ++i) {
+      keys.push_back(std::uint64_t{triangles[order[i]].corner[1]} << 32 | order[i]);
+    }
+    std::sort(keys.begin(), keys.end());
+    for (const std::uint64_t key : keys) number[static_cast<std::uint32_t>(key)] = next++;
   }
-  return order;
+  return number;
 }
 
 }  // namespace
@@ -61,26 +82,18 @@ std::size_t Triangulation2::finite_triangle_count() const {
 }
 
 void Triangulation2::renumber() {
-  LargeVector<std::uint32_t> new_id(triangles_.size());
-  {
-    const LargeVector<std::uint32_t> order = canonical_order(triangles_, vertex_count_);
-    for (std::uint32_t i = 0; i < order.size(); ++i) new_id[order[i]] = i;
-  }
-  // Slots turn with the corners of the neighbour, so they are found before any corner turns.
+  edge_from_ = {};
+  turn_smallest_first(triangles_);
+  LargeVector<std::uint32_t> number = canonical_numbers(triangles_, vertex_count_);
   for (TriangleLinks2& t : triangles_) {
-    for (std::uint32_t& code : t.across) {
-      const std::uint32_t other = code / 4;
-      const unsigned slot = (code % 4 + 3 - smallest_slot(triangles_[other])) % 3;
-      code = 4 * new_id[other] + slot;
-    }
+    for (std::uint32_t& code : t.across) code = 4 * number[code / 4] + code % 4;
   }
   for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
-    while (new_id[i] != i) {
-      const std::uint32_t to = new_id[i];
+    while (number[i] != i) {
+      const std::uint32_t to = number[i];
       std::swap(triangles_[i], triangles_[to]);
-      std::swap(new_id[i], new_id[to]);
+      std::swap(number[i], number[to]);
     }
-    rotate_to_smallest(triangles_[i]);
   }
   index_edges();
 }

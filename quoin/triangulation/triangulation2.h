@@ -94,7 +94,7 @@ class Triangulation2 {
   }
 
   /// Numbers triangles by their corners, the smallest first in each: a function of the set of triangles alone.
-  /// O(n), with 4 bytes for each triangle besides.
+  /// O(n log d) for degrees d, with 8 bytes for each triangle besides.
   void renumber();
   /// What is wrong with the links, or nothing: mutual neighbours with common edges, corners in range, one cycle of
   /// triangles about each vertex, Euler's relation. O(n).
