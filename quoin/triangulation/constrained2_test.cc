@@ -159,7 +159,7 @@ TEST(Constrained2, OrderOfSegmentsDoesNotMatter) {
     std::vector<Segment2> segments = random_segments(random, points.size(), 15);
     SCOPED_TRACE(std::string(family.name) + ": " + reproduce(points, segments));
     const auto expected = triangles_of(ConstrainedDelaunay2(points, segments));
-    for (int round = 0; round < 3; ++round) {
+    for (int round = 0; round < test_rounds(3); ++round) {
       std::shuffle(segments.begin(), segments.end(), random);
       for (Segment2& s : segments) {
         if (random() % 2 == 0) std::swap(s[0], s[1]);

@@ -83,15 +83,34 @@ class DelaunayPredicates2 {
     const double la = ax * ax + ay * ay;
     const double lb = bx * bx + by * by;
     const double lc = cx * cx + cy * cy;
-    const double value = la * (bx * cy - by * cx) + lb * (cx * ay - cy * ax) + lc * (ax * by - ay * bx);
+    const double bc = bx * cy - by * cx;
+    const double ca = cx * ay - cy * ax;
+    const double ab = ax * by - ay * bx;
+    const double value = la * bc + lb * ca + lc * ab;
     const double size = la + lb + lc;
     if (std::fabs(value) > 8 * size * size * (1.5e-14 / 8) + 0x1p-1000) [[likely]]
       return value > 0;
-    if (size < circle_exact_below_) return value != 0 ? value > 0 : is_in_circle_by_tie(a, b, c, d);
+    if (size < circle_exact_below_) {
+      if (value != 0) return value > 0;
+      return is_tie_in({place(ax, ay), place(bx, by), place(cx, cy)}, {bc, ca, ab});
+    }
     return decide_slowly(t, d);
   }
 
  private:
+  /// Coordinates below 2^12 units in lexicographic order, as one number; d is at 0.
+  static double place(double x, double y) { return 0x1p14 * x + y; }
+  /// is_in_circle_by_tie with the turns of d and two corners, exact.
+  static bool is_tie_in(const std::array<double, 3>& places, const std::array<double, 3>& turns) {
+    double largest = places[0];
+    double turn = turns[0];
+    for (const unsigned k : {1U, 2U}) {
+      const bool is_larger = places[k] > largest;
+      largest = is_larger ? places[k] : largest;
+      turn = is_larger ? turns[k] : turn;
+    }
+    return (largest > 0) & (turn > 0);
+  }
   bool decide_slowly(const TriangleLinks2& t, const Point2& d) const;
 
   std::span<const Point2> points_;

@@ -42,7 +42,7 @@ std::set<std::vector<Vertex2>> brute_force(const Delaunay2& d) {
 TEST(Delone2, CellsAreTheEmptyCirclesAndConvex) {
   Random random(1);
   for (const auto& family : point_sets()) {
-    for (int round = 0; round < test_rounds(10); ++round) {
+    for (int round = 0; round < test_rounds(8); ++round) {
       const std::vector<Point2> points = family.make(random, 1 + random() % 16);
       SCOPED_TRACE(std::string(family.name) + ": " + reproduce(points));
       const Delaunay2 delaunay(points);
@@ -88,7 +88,7 @@ TEST(Delone2, OfALatticeAreSquares) {
 TEST(Delone2, AxesMayBeSwappedAndReversed) {
   Random random(2);
   for (const auto& family : point_sets()) {
-    const std::vector<Point2> points = family.make(random, 200);
+    const std::vector<Point2> points = family.make(random, test_rounds(200));
     using Cell = std::set<std::pair<double, double>>;
     const auto cells_of = [](const std::vector<Point2>& given, bool swap, double sx, double sy) {
       const Delaunay2 delaunay(given);

@@ -117,6 +117,7 @@ TEST(Regular2, NothingLiesBelow) {
   for (const auto& family : point_sets()) {
     for (const WeightFamily& weight : weights) {
       for (const std::size_t count : {1, 2, 3, 4, 6, 9, 15, 30}) {
+        if (tests_take_fewer_rounds && count > 6) continue;
         const Weighted points = weigh(random, family.make(random, count), weight);
         SCOPED_TRACE(std::string(family.name) + ", " + weight.name + ": " + reproduce(points));
         expect_regular(points);
@@ -152,7 +153,7 @@ std::set<Corners> triangles_of(const Regular2& regular) {
 TEST(Regular2, WithEqualWeightsIsDelaunay) {
   Random random(3);
   for (const auto& family : point_sets()) {
-    const std::vector<Point2> points = family.make(random, 150);
+    const std::vector<Point2> points = family.make(random, test_rounds(150));
     Weighted weighted;
     for (const Point2& p : points) weighted.push_back({p, 2.5});
     const Delaunay2 delaunay(points);
@@ -165,7 +166,7 @@ TEST(Regular2, OrderDoesNotMatter) {
   Random random(4);
   for (const auto& family : point_sets()) {
     for (const WeightFamily& weight : weights) {
-      Weighted points = weigh(random, family.make(random, 30), weight);
+      Weighted points = weigh(random, family.make(random, test_rounds(30)), weight);
       SCOPED_TRACE(std::string(family.name) + ", " + weight.name + ": " + reproduce(points));
       const auto expected = triangles_of(Regular2(points));
       for (int round = 0; round < 3; ++round) {

@@ -101,7 +101,7 @@ TEST(Voronoi2, OfALattice) {
 TEST(Voronoi2, EdgesJoinVertices) {
   Random random(2);
   for (const auto& family : point_sets()) {
-    const std::vector<Point2> points = family.make(random, 40);
+    const std::vector<Point2> points = family.make(random, test_rounds(40));
     SCOPED_TRACE(std::string(family.name) + ": " + reproduce(points));
     const Delaunay2 delaunay(points);
     const Delone2 delone(delaunay);
