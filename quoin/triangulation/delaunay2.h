@@ -15,7 +15,8 @@ namespace quoin {
 
 struct Delaunay2Options {
   /// Number triangles by their vertices, so that the bytes of the result are those of the set of triangles, whatever
-  /// the order of insertion of this version. Takes about as long again, and 20 bytes per point more for a while.
+  /// the order of insertion of this version. Takes as long again for a million points, three times as long for ten, and
+  /// 20 bytes per point more for a while.
   bool canonical = false;
 };
 

@@ -10,7 +10,7 @@ namespace quoin {
 
 namespace {
 
-constexpr std::uint32_t poll_step = 4096;
+constexpr std::uint32_t poll_step = 256;
 
 class Merger {
  public:
