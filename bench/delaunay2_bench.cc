@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// Times the Delaunay triangulation of generated points of the plane and prints a line of JSON;
+// peers/cgal_delaunay2.cc does the same with CGAL.
+//
+//   delaunay2_bench [--rounds N] [--canonical] uniform|grid|lattice|jittered|circle COUNT
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <string>
+#include <vector>
+
+#include "peak_memory.h"
+#include "plane_points.h"
+#include "quoin/triangulation/delaunay2.h"
+
+namespace {
+
+void run(const std::string& kind, std::size_t count, int rounds, bool canonical) {
+  const std::vector<quoin::Point2> points = plane_points::make<quoin::Point2>(kind, count);
+  const quoin::Context context({.threads = 1});
+  const long before_kb = resident_kb();
+  double best = 1e300;
+  std::size_t vertices = 0;
+  std::size_t triangles = 0;
+  for (int round = 0; round < rounds; ++round) {
+    const auto start = std::chrono::steady_clock::now();
+    const quoin::Delaunay2 delaunay(points, {.canonical = canonical}, context);
+    best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    vertices = delaunay.vertex_count();
+    triangles = delaunay.links().finite_triangle_count();
+  }
+  std::printf("{\"seconds\": %.9f, \"vertices\": %zu, \"triangles\": %zu, \"peak_kb\": %ld, \"input_kb\": %ld}\n", best,
+              vertices, triangles, peak_kb(), before_kb);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  int rounds = 1;
+  bool canonical = false;
+  std::vector<std::string> words;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word == "--rounds" && i + 1 < argc) {
+      rounds = std::atoi(argv[++i]);
+    } else if (word == "--canonical") {
+      canonical = true;
+    } else {
+      words.push_back(word);
+    }
+  }
+  try {
+    if (words.size() != 2) throw std::invalid_argument("delaunay2_bench KIND COUNT");
+    run(words[0], std::strtoull(words[1].c_str(), nullptr, 10), rounds, canonical);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quoin/triangulation/changing_delaunay2.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "quoin/base/error.h"
+#include "quoin/kernel/predicates2.h"
+#include "quoin/triangulation/cavity_fill2.h"
+#include "quoin/triangulation/delaunay_predicates2.h"
+#include "quoin/triangulation/insertion2.h"
+
+namespace quoin {
+
+namespace {
+
+using Insertion = detail::Insertion2<DelaunayPredicates2>;
+
+constexpr std::size_t infinite = 0;
+
+const Context& no_context() {
+  static const Context context({.threads = 1});
+  return context;
+}
+
+}  // namespace
+
+ChangingDelaunay2::ChangingDelaunay2() {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  points_.push_back({nan, nan});
+  multiplicity_.push_back(0);
+  star_.push_back(Vertex2::none_value);
+}
+
+ChangingDelaunay2::ChangingDelaunay2(std::span<const Point2> points, const Context& context) : ChangingDelaunay2() {
+  const Delaunay2 delaunay(points, {}, context);
+  count_ = delaunay.vertex_count();
+  dimension_ = delaunay.dimension();
+  for (std::size_t v = 0; v < count_; ++v) {
+    points_.push_back(delaunay.points()[v]);
+    multiplicity_.push_back(static_cast<std::uint32_t>(delaunay.inputs(Vertex2(v)).size()));
+  }
+  star_.assign(points_.size(), Vertex2::none_value);
+  for (const Vertex2 v : delaunay.line()) line_.emplace_back(v.index() + 1);
+  triangles_.assign(delaunay.links().links().begin(), delaunay.links().links().end());
+  for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
+    for (std::uint32_t& v : triangles_[t].corner) v = v == count_ ? infinite : v + 1;
+    update_star(t);
+  }
+}
+
+Vertex2 ChangingDelaunay2::insert(const Point2& given) {
+  if (!std::isfinite(given.x) || !std::isfinite(given.y)) throw InputError("the point is not finite");
+  const Point2 p{given.x + 0.0, given.y + 0.0};
+  if (dimension_ < 2) return insert_on_line(p);
+  const std::uint32_t near = nearby_triangle(p);
+  const Vertex2 v = add_vertex(p);
+  const DelaunayPredicates2 predicates(points_, infinite_vertex());
+  Insertion insertion(predicates, infinite, no_context());
+  insertion.adopt(std::move(triangles_), near);
+  const std::uint32_t at = insertion.find(p);
+  triangles_ = insertion.release();
+  for (const std::uint32_t corner : triangles_[at].corner) {
+    if (corner == infinite || points_[corner] != p) continue;
+    multiplicity_[v.index()] = 0;
+    free_.push_back(v.value);
+    --count_;
+    ++multiplicity_[corner];
+    return Vertex2(std::size_t{corner});
+  }
+  insertion.adopt(std::move(triangles_), at);
+  const auto made = insertion.insert(v.value);
+  triangles_ = insertion.release();
+  for (const std::uint32_t t : made) update_star(t);
+  return v;
+}
+
+Vertex2 ChangingDelaunay2::add_vertex(const Point2& p) {
+  ++count_;
+  if (!free_.empty()) {
+    const Vertex2 v(std::size_t{free_.back()});
+    free_.pop_back();
+    points_[v.index()] = p;
+    multiplicity_[v.index()] = 1;
+    return v;
+  }
+  points_.push_back(p);
+  multiplicity_.push_back(1);
+  star_.push_back(Vertex2::none_value);
+  return Vertex2(points_.size() - 1);
+}
+
+Vertex2 ChangingDelaunay2::insert_on_line(const Point2& p) {
+  const auto less = [&](Vertex2 v, const Point2& q) { return lexicographically_less(point(v), q); };
+  const auto after = std::lower_bound(line_.begin(), line_.end(), p, less);
+  if (after != line_.end() && point(*after) == p) {
+    ++multiplicity_[after->index()];
+    return *after;
+  }
+  const auto place = after - line_.begin();
+  const Vertex2 v = add_vertex(p);
+  if (line_.size() > 1 && orientation(point(line_.front()), point(line_.back()), p) != Sign::zero) {
+    leave_line(v);
+    return v;
+  }
+  line_.insert(line_.begin() + place, v);
+  dimension_ = line_.size() > 1 ? 1 : 0;
+  return v;
+}
+
+// The first two of the line and the new point, then the others.
+void ChangingDelaunay2::leave_line(Vertex2 apex) {
+  std::array<std::uint32_t, 3> corners{line_[0].value, line_[1].value, apex.value};
+  if (orientation(point(line_[0]), point(line_[1]), point(apex)) == Sign::negative) std::swap(corners[0], corners[1]);
+  const DelaunayPredicates2 predicates(points_, infinite_vertex());
+  Insertion insertion(predicates, infinite, no_context());
+  insertion.start(corners);
+  for (std::size_t i = 2; i < line_.size(); ++i) insertion.insert(line_[i].value);
+  triangles_ = insertion.release();
+  for (std::uint32_t t = 0; t < triangles_.size(); ++t) update_star(t);
+  line_.clear();
+  dimension_ = 2;
+}
+
+void ChangingDelaunay2::remove(Vertex2 v) {
+  if (v == infinite_vertex() || !lives(v)) throw InputError("there is no vertex " + std::to_string(v.value));
+  if (--multiplicity_[v.index()] > 0) return;
+  --count_;
+  free_.push_back(v.value);
+  if (dimension_ < 2) {
+    line_.erase(std::find(line_.begin(), line_.end(), v));
+    dimension_ = line_.empty() ? -1 : std::min(dimension_, line_.size() > 1 ? 1 : 0);
+    return;
+  }
+  // Edges from v, counterclockwise.
+  std::vector<std::uint32_t> ring;
+  std::uint32_t code = star_[v.index()];
+  do {
+    ring.push_back(code);
+    code = triangles_[code / 4].across[previous_slot(code % 4)];
+  } while (code != star_[v.index()]);
+  if (falls_without(ring)) {
+    fall_to_line();
+  } else {
+    fill_star(ring);
+  }
+}
+
+bool ChangingDelaunay2::falls_without(std::span<const std::uint32_t> ring) const {
+  std::vector<std::uint32_t> others;
+  for (const std::uint32_t code : ring) {
+    const std::uint32_t other = triangles_[code / 4].corner[previous_slot(code % 4)];
+    if (other != infinite) others.push_back(other);
+  }
+  if (others.size() != count_) return false;
+  for (std::size_t i = 2; i < others.size(); ++i) {
+    if (orientation(points_[others[0]], points_[others[1]], points_[others[i]]) != Sign::zero) return false;
+  }
+  return true;
+}
+
+void ChangingDelaunay2::fall_to_line() {
+  triangles_.clear();
+  for (std::size_t v = 1; v < points_.size(); ++v) {
+    if (lives(Vertex2(v))) line_.emplace_back(v);
+  }
+  std::sort(line_.begin(), line_.end(),
+            [&](Vertex2 a, Vertex2 b) { return lexicographically_less(point(a), point(b)); });
+  dimension_ = line_.size() > 1 ? 1 : 0;
+}
+
+void ChangingDelaunay2::fill_star(std::span<const std::uint32_t> ring) {
+  std::vector<std::uint32_t> ids;
+  std::vector<std::uint32_t> outer;
+  std::vector<std::uint32_t> corners;
+  for (const std::uint32_t code : ring) {
+    ids.push_back(code / 4);
+    outer.push_back(triangles_[code / 4].across[next_slot(code % 4)]);
+    corners.push_back(triangles_[code / 4].corner[previous_slot(code % 4)]);
+  }
+  const DelaunayPredicates2 predicates(points_, infinite_vertex());
+  detail::CavityFill2<DelaunayPredicates2> fill(predicates, triangles_, infinite);
+  fill.begin(ids, outer);
+  // The hole is on the left of the first edge; the other corners go back from its source to its target.
+  std::reverse(corners.begin() + 2, corners.end());
+  fill.fill(corners[0], corners[1], std::span(corners).subspan(2), true);
+  const std::size_t made = fill.end();
+  for (std::size_t i = 0; i < made; ++i) update_star(ids[i]);
+  std::sort(ids.begin() + static_cast<std::ptrdiff_t>(made), ids.end(), std::greater<>());
+  for (std::size_t i = made; i < ids.size(); ++i) drop_triangle(ids[i]);
+}
+
+// The last triangle takes the place.
+void ChangingDelaunay2::drop_triangle(std::uint32_t t) {
+  const auto last = static_cast<std::uint32_t>(triangles_.size() - 1);
+  if (t != last) {
+    triangles_[t] = triangles_[last];
+    for (unsigned slot = 0; slot < 3; ++slot) {
+      const std::uint32_t other = triangles_[t].across[slot];
+      triangles_[other / 4].across[other % 4] = 4 * t + slot;
+    }
+    update_star(t);
+  }
+  triangles_.pop_back();
+}
+
+void ChangingDelaunay2::update_star(std::uint32_t t) {
+  for (unsigned slot = 0; slot < 3; ++slot) star_[triangles_[t].corner[slot]] = 4 * t + previous_slot(slot);
+}
+
+// About the nearest of a few vertices, evenly spaced ids; rounded distances do.
+std::uint32_t ChangingDelaunay2::nearby_triangle(const Point2& p) const {
+  const std::size_t ids = points_.size() - 1;
+  const auto samples = 1 + static_cast<std::size_t>(std::cbrt(static_cast<double>(ids)));
+  std::uint32_t best = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < samples; ++i) {
+    const Vertex2 v(1 + ids * i / samples);
+    if (!lives(v)) continue;
+    const double distance = std::hypot(point(v).x - p.x, point(v).y - p.y);
+    if (!(distance < least)) continue;
+    least = distance;
+    best = star_[v.index()] / 4;
+  }
+  return best;
+}
+
+}  // namespace quoin

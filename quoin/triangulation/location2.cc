@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quoin/triangulation/location2.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "quoin/base/error.h"
+#include "quoin/kernel/call_grid.h"
+#include "quoin/kernel/predicates2.h"
+
+namespace quoin {
+
+namespace {
+
+void require_finite(const Point2& query) {
+  if (!std::isfinite(query.x) || !std::isfinite(query.y)) throw InputError("the query is not finite");
+}
+
+// Samples are evenly spaced ids, and ids follow a curve through all points. Rounded distances do: any start is right.
+Vertex2 nearest_sample(const Delaunay2& delaunay, const Point2& query) {
+  const std::size_t count = delaunay.vertex_count();
+  const auto samples = 1 + static_cast<std::size_t>(std::cbrt(static_cast<double>(count)));
+  Vertex2 best(0);
+  double least = 0;
+  for (std::size_t i = 0; i < samples; ++i) {
+    const Vertex2 v(count * i / samples);
+    const double distance = std::hypot(delaunay.point(v).x - query.x, delaunay.point(v).y - query.y);
+    if (i > 0 && !(distance < least)) continue;
+    best = v;
+    least = distance;
+  }
+  return best;
+}
+
+Location2 locate_on_line(const Delaunay2& delaunay, const Point2& query) {
+  const std::span<const Vertex2> line = delaunay.line();
+  const auto after = std::lower_bound(line.begin(), line.end(), query, [&](Vertex2 v, const Point2& q) {
+    return lexicographically_less(delaunay.point(v), q);
+  });
+  Location2 found;
+  if (after == line.end()) return found;
+  if (delaunay.point(*after) == query) {
+    found.place = Location2::Place::vertex;
+    found.vertex = *after;
+  } else if (after != line.begin() &&
+             orientation(delaunay.point(after[-1]), delaunay.point(*after), query) == Sign::zero) {
+    found.place = Location2::Place::edge;
+    found.on_line = static_cast<std::size_t>(after - line.begin()) - 1;
+  }
+  return found;
+}
+
+// In the closed triangle, by the turns along its three edges, none negative.
+Location2 place_in(const Triangulation2& links, Triangle2 t, const std::array<Sign, 3>& turns) {
+  Location2 found;
+  for (unsigned slot = 0; slot < 3; ++slot) {
+    if (turns[slot] != Sign::zero) continue;
+    found.place = Location2::Place::edge;
+    found.edge = Edge2(t, slot);
+    for (const unsigned other : {next_slot(slot), previous_slot(slot)}) {
+      if (turns[other] != Sign::zero) continue;
+      found.place = Location2::Place::vertex;
+      found.vertex = links.corner(t, 3 - slot - other);
+      return found;
+    }
+    return found;
+  }
+  found.place = Location2::Place::triangle;
+  found.triangle = t;
+  return found;
+}
+
+Vertex2 nearest_on_line(const Delaunay2& delaunay, const Point2& query) {
+  const std::span<const Vertex2> line = delaunay.line();
+  if (line.empty()) return {};
+  // Distances fall and then rise, so this is a partition: the next is nearer.
+  std::size_t low = 0;
+  std::size_t high = line.size() - 1;
+  while (low < high) {
+    const std::size_t middle = (low + high) / 2;
+    const bool falls =
+        compare_distances(query, delaunay.point(line[middle + 1]), delaunay.point(line[middle])) == Sign::negative;
+    (falls ? low : high) = falls ? middle + 1 : middle;
+  }
+  if (low + 1 < line.size() &&
+      compare_distances(query, delaunay.point(line[low]), delaunay.point(line[low + 1])) == Sign::zero) {
+    return std::min(line[low], line[low + 1]);
+  }
+  return line[low];
+}
+
+// The neighbour that is nearest to the query, the vertex itself if none is nearer; of equal ones the smallest.
+Vertex2 nearest_neighbour(const Delaunay2& delaunay, const Point2& query, Vertex2 v) {
+  Vertex2 best = v;
+  delaunay.links().for_edges_from(v, [&](Edge2 e) {
+    const Vertex2 other = delaunay.links().target(e);
+    if (delaunay.links().is_infinite(other)) return;
+    const Sign order = compare_distances(query, delaunay.point(other), delaunay.point(best));
+    if (order == Sign::negative || (order == Sign::zero && other < best)) best = other;
+  });
+  return best;
+}
+
+// All nearest vertices lie on an empty circle about the query: they are the corners of one Delone cell or the ends of
+// one edge, joined by Delaunay edges between equally near ones.
+Vertex2 smallest_of_ties(const Delaunay2& delaunay, const Point2& query, Vertex2 v) {
+  std::vector<Vertex2> tied{v};
+  for (std::size_t i = 0; i < tied.size(); ++i) {
+    delaunay.links().for_edges_from(tied[i], [&](Edge2 e) {
+      const Vertex2 other = delaunay.links().target(e);
+      if (delaunay.links().is_infinite(other) || std::find(tied.begin(), tied.end(), other) != tied.end()) return;
+      if (compare_distances(query, delaunay.point(other), delaunay.point(v)) == Sign::zero) tied.push_back(other);
+    });
+  }
+  return *std::min_element(tied.begin(), tied.end());
+}
+
+}  // namespace
+
+Location2 locate(const Delaunay2& delaunay, const Point2& query, Vertex2 near) {
+  require_finite(query);
+  if (delaunay.dimension() < 2) return locate_on_line(delaunay, query);
+  const Triangulation2& links = delaunay.links();
+  Edge2 entry = links.edge_from(near.is_none() ? nearest_sample(delaunay, query) : near);
+  while (links.is_infinite(entry.triangle())) entry = links.around_source(entry);
+  for (;;) {
+    const Triangle2 t = entry.triangle();
+    std::array<Sign, 3> turns{};
+    Edge2 exit;
+    // The entry last: the walk came through it, but for the first.
+    for (unsigned slot = next_slot(entry.slot()), k = 0; k < 3 && exit.is_none(); ++k, slot = next_slot(slot)) {
+      const Edge2 e(t, slot);
+      turns[slot] = orientation(delaunay.point(links.source(e)), delaunay.point(links.target(e)), query);
+      if (turns[slot] == Sign::negative) exit = links.twin(e);
+    }
+    if (exit.is_none()) return place_in(links, t, turns);
+    if (links.is_infinite(exit.triangle())) {
+      Location2 found;
+      found.edge = exit;
+      return found;
+    }
+    entry = exit;
+  }
+}
+
+Vertex2 nearest_vertex(const Delaunay2& delaunay, const Point2& query, Vertex2 near) {
+  require_finite(query);
+  if (delaunay.dimension() < 2) return nearest_on_line(delaunay, query);
+  const Location2 place = locate(delaunay, query, near);
+  if (place.place == Location2::Place::vertex) return place.vertex;
+  const Triangulation2& links = delaunay.links();
+  Vertex2 best = place.place == Location2::Place::triangle ? links.corner(place.triangle, 0) : links.source(place.edge);
+  for (;;) {
+    const Vertex2 next = nearest_neighbour(delaunay, query, best);
+    if (next == best || compare_distances(query, delaunay.point(next), delaunay.point(best)) == Sign::zero) break;
+    best = next;
+  }
+  return smallest_of_ties(delaunay, query, best);
+}
+
+Sign compare_distances(const Point2& q, const Point2& a, const Point2& b) {
+  const double ax = q.x - a.x;
+  const double ay = q.y - a.y;
+  const double bx = q.x - b.x;
+  const double by = q.y - b.y;
+  const double to_a = ax * ax + ay * ay;
+  const double to_b = bx * bx + by * by;
+  // Squares are off by 3 u of themselves, sums by 4 u, the difference by 5 u (1 + 8 u) = 5.5512e-16 of the sum; squares
+  // that underflow by 2^-1075. Where anything overflows the bound is infinite.
+  const int sign = filter::certain_sign(to_a - to_b, 6e-16 * (to_a + to_b) + 0x1p-1000);
+  if (sign != 0) return static_cast<Sign>(sign);
+  Tier ignored;
+  const std::array<double, 6> values{q.x, q.y, a.x, a.y, b.x, b.y};
+  return detail::decide_on_grid(values, ignored, [&]<class N>(const detail::CallReader<N>& difference) {
+    using Quadratic = typename N::Quadratic;
+    const auto square = [&](const Point2& p) {
+      const auto x = difference(q.x, p.x);
+      const auto y = difference(q.y, p.y);
+      return detail::product<Quadratic>(x, x) + detail::product<Quadratic>(y, y);
+    };
+    return (square(a) - square(b)).sign();
+  });
+}
+
+}  // namespace quoin
