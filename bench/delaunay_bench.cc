@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Times the Delaunay triangulation of generated points and prints a line of JSON; peers/cgal_delaunay.cc does the same
+// Times the Delaunay triangulation of generated points and prints a line of JSON, with
+// seconds of the processor; peers/cgal_delaunay.cc does the same
 // with CGAL.
 //
 //   delaunay_bench [--rounds N] [--canonical] cube|ball|sphere|scan|lattice|jittered[-grid] COUNT
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <exception>
 #include <stdexcept>
 #include <string>
@@ -25,15 +26,15 @@ void run(const std::string& kind, std::size_t count, int rounds, bool is_canonic
     points.reserve(made.size());
     for (const auto& [x, y, z] : made) points.push_back({x, y, z});
   }
-  const long before = peak_kb();
+  const long before = resident_kb();
   const quoin::Context context({.threads = 1});
   double best = 1e300;
   std::size_t vertices = 0;
   std::size_t cells = 0;
   for (int round = 0; round < rounds; ++round) {
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock();
     const quoin::Delaunay3 result(points, context, {.is_canonical = is_canonical});
-    best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    best = std::min(best, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
     vertices = result.vertex_count();
     cells = result.finite_cell_count();
   }

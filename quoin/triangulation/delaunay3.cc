@@ -21,7 +21,7 @@ namespace quoin {
 namespace {
 
 constexpr std::size_t most_points = 150'000'000;  // 2^30 cells
-constexpr std::size_t cells_per_point = 7;        // of points in a volume; ghosts among them
+constexpr std::size_t cells_per_point = 8;        // somewhat more than in a volume; only what is used takes memory
 
 /// Of a coordinate; refuses what is not finite.
 double largest_magnitude(std::span<const Point3> points) {

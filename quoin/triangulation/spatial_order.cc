@@ -5,6 +5,10 @@
 #include <array>
 #include <limits>
 
+#if defined(__linux__)
+#include <malloc.h>
+#endif
+
 #include "quoin/base/large_vector.h"
 #include "quoin/kernel/hilbert_key.h"
 
@@ -17,9 +21,20 @@ constexpr unsigned digit_bits = 11;
 constexpr unsigned passes = 3 * bits_per_axis / digit_bits;
 constexpr std::size_t few = 16;  // points of one cell that are sorted by their coordinates
 
-struct Keyed {
-  std::uint64_t key;
-  std::uint32_t point;
+constexpr unsigned point_bits = 31;
+static_assert(3 * bits_per_axis + point_bits == 64);
+
+/// A point and its number along the curve, in one word.
+class Keyed {
+ public:
+  Keyed() = default;
+  Keyed(std::uint64_t key, std::uint32_t point) : bits_(key << point_bits | point) {}
+  std::uint64_t key() const { return bits_ >> point_bits; }
+  std::uint32_t point() const { return static_cast<std::uint32_t>(bits_ & ((std::uint64_t{1} << point_bits) - 1)); }
+  friend bool operator<(Keyed a, Keyed b) { return a.bits_ < b.bits_; }
+
+ private:
+  std::uint64_t bits_ = 0;
 };
 
 /// From coordinates to the cells of a cube around points. Halves, so that no difference overflows.
@@ -33,8 +48,8 @@ class Cube {
     }
     for (const Keyed& k : list) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        low_[axis] = std::min(low_[axis], points[k.point][axis]);
-        high[axis] = std::max(high[axis], points[k.point][axis]);
+        low_[axis] = std::min(low_[axis], points[k.point()][axis]);
+        high[axis] = std::max(high[axis], points[k.point()][axis]);
       }
     }
     double size = 0;
@@ -65,13 +80,13 @@ class Sorter {
     const Cube cube(points_, list);
     for (std::size_t i = 0; i < list.size(); ++i) {
       if (i % 4096 == 0) context_.poll();
-      list[i].key = cube.key(points_[list[i].point]);
+      list[i] = {cube.key(points_[list[i].point()]), list[i].point()};
     }
     sort_by_key(list);
     for (std::size_t begin = 0; begin < list.size();) {
-      const std::uint64_t key = list[begin].key;
+      const std::uint64_t key = list[begin].key();
       std::size_t end = begin + 1;
-      while (end < list.size() && list[end].key == key) ++end;
+      while (end < list.size() && list[end].key() == key) ++end;
       const std::span<Keyed> run = list.subspan(begin, end - begin);
       // A cube that does not get smaller is of points that are equal, or too small to be divided.
       if (run.size() == list.size() && parent == list.size()) {
@@ -87,16 +102,15 @@ class Sorter {
   void sort_by_coordinates(std::span<Keyed> list) const {
     context_.poll();
     std::sort(list.begin(), list.end(), [this](const Keyed& a, const Keyed& b) {
-      const Point3& p = points_[a.point];
-      const Point3& q = points_[b.point];
-      return p == q ? a.point < b.point : lexicographically_less(p, q);
+      const Point3& p = points_[a.point()];
+      const Point3& q = points_[b.point()];
+      return p == q ? a.point() < b.point() : lexicographically_less(p, q);
     });
   }
 
   void sort_by_key(std::span<Keyed> list) {
     if (list.size() < 2048) {
-      std::sort(list.begin(), list.end(),
-                [](const Keyed& a, const Keyed& b) { return a.key != b.key ? a.key < b.key : a.point < b.point; });
+      std::sort(list.begin(), list.end());
       return;
     }
     LargeVector<Keyed> other(list.size());
@@ -105,7 +119,7 @@ class Sorter {
     for (unsigned pass = 0; pass < passes; ++pass) {
       context_.poll();
       const auto digit = [pass](const Keyed& k) {
-        return static_cast<std::size_t>(k.key >> (pass * digit_bits)) & ((1U << digit_bits) - 1);
+        return static_cast<std::size_t>(k.key() >> (pass * digit_bits)) & ((1U << digit_bits) - 1);
       };
       std::array<std::size_t, (std::size_t{1} << digit_bits) + 1> begin{};
       for (const Keyed& k : from) ++begin[digit(k) + 1];
@@ -123,11 +137,17 @@ class Sorter {
 }  // namespace
 
 std::vector<std::uint32_t> hilbert_order(std::span<const Point3> points, const Context& context) {
-  LargeVector<Keyed> list(points.size());
-  for (std::size_t i = 0; i < list.size(); ++i) list[i] = {0, static_cast<std::uint32_t>(i)};
-  Sorter(points, context).sort(list, 0);
-  std::vector<std::uint32_t> order(list.size());
-  for (std::size_t i = 0; i < list.size(); ++i) order[i] = list[i].point;
+  std::vector<std::uint32_t> order(points.size());
+  {
+    LargeVector<Keyed> list(points.size());
+    for (std::size_t i = 0; i < list.size(); ++i) list[i] = {0, static_cast<std::uint32_t>(i)};
+    Sorter(points, context).sort(list, 0);
+    for (std::size_t i = 0; i < list.size(); ++i) order[i] = list[i].point();
+  }
+#if defined(__GLIBC__)
+  // Blocks of megabytes are kept where such were freed before: 16 bytes per point that what follows would not use.
+  if (points.size() > (std::size_t{1} << 16)) malloc_trim(0);
+#endif
   return order;
 }
 
