@@ -10,8 +10,11 @@
 #include "quoin/kernel/point.h"
 #include "quoin/triangulation/cell_array.h"
 #include "quoin/triangulation/delaunay_signs.h"
+#include "quoin/triangulation/vertex_points.h"
 
 namespace quoin {
+
+struct AffineBasis;
 
 struct DelaunayOptions {
   /// Cells in canonical order: then the same points give the same bytes in all versions. Takes about half as long as
@@ -40,15 +43,9 @@ class Delaunay3 {
   /// Distinct points.
   std::size_t vertex_count() const { return vertex_count_; }
   /// As it was given, but for the sign of zero.
-  Point3 point(std::uint32_t vertex) const {
-    const Point3& p = points_[vertex];
-    return {p.x * unscale_, p.y * unscale_, p.z * unscale_};
-  }
+  Point3 point(std::uint32_t vertex) const { return points_.original(vertex); }
   /// Numbers of the given points that are this vertex, ascending.
-  std::span<const std::uint32_t> inputs(std::uint32_t vertex) const {
-    if (input_begin_.empty()) return {&inputs_[vertex], 1};
-    return {&inputs_[input_begin_[vertex]], input_begin_[vertex + 1] - input_begin_[vertex]};
-  }
+  std::span<const std::uint32_t> inputs(std::uint32_t vertex) const { return points_.inputs_of(vertex); }
 
   /// Ghosts among them.
   std::span<const TriangulationCell> cells() const { return cells_; }
@@ -61,22 +58,15 @@ class Delaunay3 {
   /// inside. `signs` is what `signs()` gave.
   int in_sphere(const DelaunaySigns& signs, std::size_t cell, std::uint32_t vertex) const;
   /// Predicates on the vertices, by their numbers, while this object lives and does not move. O(n) to make.
-  DelaunaySigns signs() const { return {{points_.data(), points_.size()}, dimension_ == 2}; }
+  DelaunaySigns signs() const { return {points_.all(), dimension_ == 2}; }
 
  private:
-  void take_points(std::span<const Point3> points, const Context& context);
-  void build(const Context& context);
-  void insert_all(std::span<const std::uint32_t> simplex, const Context& context);
-  void drop_apex();
-  void build_chain();
-  void make_canonical();
+  void triangulate(const AffineBasis& basis, const Context& context);
+  std::vector<std::uint32_t> chain() const;
 
-  LargeVector<Point3> points_;  ///< times a power of two; in a plane, with a point off it at the end
-  std::vector<std::uint32_t> inputs_;
-  std::vector<std::uint32_t> input_begin_;  ///< empty where no two points are equal
+  VertexPoints points_;  ///< in a plane, with a point off it at the end
   CellArray cells_;
-  std::size_t vertex_count_ = 0;
-  double unscale_ = 1;
+  std::size_t vertex_count_;
   int dimension_ = 0;
 };
 
