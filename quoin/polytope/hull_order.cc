@@ -11,6 +11,8 @@
 #include "quoin/base/large_vector.h"
 #include "quoin/base/parallel.h"
 
+#include "quoin/kernel/hilbert_key.h"
+
 namespace quoin {
 
 namespace {
@@ -26,36 +28,6 @@ struct Keyed {
   std::uint64_t key;
   std::uint32_t point;
 };
-
-/// Ten bits, each followed by two zeros.
-std::uint64_t spread(std::uint32_t bits) {
-  std::uint64_t x = bits & 0x3FF;
-  x = (x | x << 16) & 0x030000FF;
-  x = (x | x << 8) & 0x0300F00F;
-  x = (x | x << 4) & 0x030C30C3;
-  return (x | x << 2) & 0x09249249;
-}
-
-/// Along the Hilbert curve: Skilling's transposed form, then the bits of the axes in turn.
-std::uint64_t hilbert_key(std::array<std::uint32_t, 3> x) {
-  for (std::uint32_t bit = 1U << (bits_per_axis - 1); bit > 1; bit >>= 1) {
-    const std::uint32_t lower = bit - 1;
-    for (std::uint32_t& axis : x) {
-      // Where the bit is set, the lower bits of the first axis are inverted; else exchanged with those of this one.
-      const std::uint32_t is_set = (axis & bit) != 0 ? lower : 0;
-      const std::uint32_t exchanged = (x[0] ^ axis) & (lower ^ is_set);
-      x[0] ^= exchanged | is_set;
-      axis ^= exchanged;
-    }
-  }
-  x[1] ^= x[0];
-  x[2] ^= x[1];
-  std::uint32_t mask = 0;
-  for (std::uint32_t bit = 1U << (bits_per_axis - 1); bit > 1; bit >>= 1) {
-    if ((x[2] & bit) != 0) mask ^= bit - 1;
-  }
-  return spread(x[0] ^ mask) << 2 | spread(x[1] ^ mask) << 1 | spread(x[2] ^ mask);
-}
 
 /// By the coordinates, so that equal points are in one round: 0 for about one in 8^7, 7 for seven in eight.
 std::uint64_t round_of(const Point3& p) {
@@ -145,7 +117,7 @@ RandomOrder biased_random_order(std::span<const Point3> points, std::span<const 
   for_each_chunk(context, list.size(), grain, [&](const Chunk& chunk) {
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
       const Point3& p = points[chosen[i]];
-      list[i] = {round_of(p) << (3 * bits_per_axis) | hilbert_key(cells.of(p)), chosen[i]};
+      list[i] = {round_of(p) << (3 * bits_per_axis) | hilbert_key(cells.of(p), bits_per_axis), chosen[i]};
     }
   });
   UnsetVector<Keyed> other(list.size());

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// Times the Delaunay triangulation of generated points and prints a line of JSON, with
+// seconds of the processor; peers/cgal_delaunay.cc does the same
+// with CGAL.
+//
+//   delaunay_bench [--rounds N] [--canonical] cube|ball|sphere|scan|lattice|jittered[-grid] COUNT
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <exception>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "delaunay_points.h"
+#include "peak_memory.h"
+#include "quoin/triangulation/delaunay3.h"
+
+namespace {
+
+void run(const std::string& kind, std::size_t count, int rounds, bool is_canonical) {
+  std::vector<quoin::Point3> points;
+  {
+    const auto made = delaunay_points::make(kind, count);
+    points.reserve(made.size());
+    for (const auto& [x, y, z] : made) points.push_back({x, y, z});
+  }
+  const long before = resident_kb();
+  const quoin::Context context({.threads = 1});
+  double best = 1e300;
+  std::size_t vertices = 0;
+  std::size_t cells = 0;
+  for (int round = 0; round < rounds; ++round) {
+    const std::clock_t start = std::clock();
+    const quoin::Delaunay3 result(points, context, {.is_canonical = is_canonical});
+    best = std::min(best, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+    vertices = result.vertex_count();
+    cells = result.finite_cell_count();
+  }
+  std::printf(
+      "{\"seconds\": %.9f, \"points\": %zu, \"vertices\": %zu, \"cells\": %zu, \"before_kb\": %ld, \"peak_kb\": %ld}\n",
+      best, points.size(), vertices, cells, before, peak_kb());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  int rounds = 1;
+  bool is_canonical = false;
+  std::vector<std::string> words;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word == "--rounds" && i + 1 < argc) {
+      rounds = std::atoi(argv[++i]);
+    } else if (word == "--canonical") {
+      is_canonical = true;
+    } else {
+      words.push_back(word);
+    }
+  }
+  try {
+    if (words.size() != 2) throw std::invalid_argument("delaunay_bench KIND COUNT");
+    run(words[0], std::strtoull(words[1].c_str(), nullptr, 10), rounds, is_canonical);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "hull_points.h"
+
+/// Points that delaunay_bench and its peer triangulate, the same on every platform: those of hull_points; `scan`, rows
+/// of a wavy surface with gaps and noise; any of them `-grid`, rounded to integers within 1000; `jittered`, a lattice
+/// moved by a thousandth.
+namespace delaunay_points {
+
+using hull_points::Point;
+
+/// A torus without functions that round differently elsewhere: rational circles, rows of unequal density.
+inline std::vector<Point> scan(std::size_t count) {
+  Random random(11);
+  std::vector<Point> points;
+  points.reserve(count);
+  const auto circle = [](double t) {  // t in [-1, 1]: half a turn; the other half by its sign
+    const double s = 1 + t * t;
+    return std::array<double, 2>{(1 - t * t) / s, 2 * t / s};
+  };
+  while (points.size() < count) {
+    auto [c, s] = circle(random.signed_unit());
+    auto [d, e] = circle(random.signed_unit());
+    if ((random.bits() & 1) != 0) c = -c;
+    if ((random.bits() & 1) != 0) d = -d;
+    const double radius = 0.7 + 0.3 * d + 0.0005 * random.signed_unit();
+    points.push_back({radius * c, radius * s, 0.3 * e + 0.0005 * random.signed_unit()});
+  }
+  return points;
+}
+
+inline std::vector<Point> make(std::string kind, std::size_t count) {
+  const std::string suffix = "-grid";
+  const bool is_grid = kind.size() > suffix.size() && kind.ends_with(suffix);
+  if (is_grid) kind.resize(kind.size() - suffix.size());
+  std::vector<Point> points =
+      kind == "scan" ? scan(count) : hull_points::make(kind == "jittered" ? "lattice" : kind, count);
+  Random random(13);
+  for (Point& p : points) {
+    for (double& x : p) {
+      if (is_grid) x = std::nearbyint(x * 1000);
+      if (kind == "jittered") x += 0.001 * random.signed_unit();
+    }
+  }
+  return points;
+}
+
+}  // namespace delaunay_points

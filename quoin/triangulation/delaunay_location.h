@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include "quoin/triangulation/circulators.h"
+#include "quoin/triangulation/delaunay3.h"
+
+namespace quoin {
+
+/// Where a point is in a triangulation of dimension 3.
+struct DelaunayLocation {
+  enum class Kind { vertex, edge, facet, cell, outside };
+  Kind kind = Kind::outside;
+  std::uint32_t cell = 0;  ///< a cell of the face; outside, a ghost of a facet of the hull that sees the point
+  unsigned slots = 0;      ///< bit i: slot i of the cell is a vertex of the face
+};
+
+/// Answers questions about points that need not be vertices. Exact. The triangulation must outlive it.
+class DelaunayLocator {
+ public:
+  /// O(n), 4 bytes per vertex.
+  explicit DelaunayLocator(const Delaunay3& triangulation) : triangulation_(triangulation), stars_(triangulation) {}
+
+  /// The smallest face that the point is in, by a walk from the cell of an earlier answer; it ends, since cells are in
+  /// an acyclic order as seen from any point (Edelsbrunner 1990).
+  /// @throws InputError if the point is not finite, or the dimension below 3
+  DelaunayLocation locate(const Point3& p, std::uint32_t start = 0) const;
+
+  /// The vertex of least distance, of equal ones the one of the smallest number; of any dimension. Walks over edges,
+  /// each to a nearer vertex, from one sampled near. @throws InputError if the point is not finite
+  std::uint32_t nearest(const Point3& p) const;
+
+ private:
+  const Delaunay3& triangulation_;
+  VertexStars stars_;
+};
+
+}  // namespace quoin

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quoin/triangulation/delaunay_signs.h"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+
+#include "quoin/kernel/call_grid.h"
+#include "quoin/kernel/predicates3.h"
+#include "quoin/triangulation/scaled_sphere.h"
+
+namespace quoin {
+
+namespace {
+
+/// Exponent of the lowest bit that is set; x is not zero.
+int lowest_bit(double x) {
+  const detail::Parts parts = detail::parts_of(x);
+  return parts.exponent + std::countr_zero(static_cast<std::uint64_t>(parts.mantissa));
+}
+
+// Bounds of the filters of the whole: those of predicate_filters.h with the extents for the maxima, and a part in 2^40
+// more, because extents are rounded. The slacks are those derived there for M <= 2^140.
+constexpr double largest_extent = 0x1p140;
+constexpr double more = 1 + 0x1p-40;
+constexpr double sphere_slack = 0x1p-640;
+constexpr double orientation_slack = 0x1p-730;
+constexpr double sphere_error = 1.3e-13;
+constexpr double orientation_error = 5.2e-15;
+
+}  // namespace
+
+PointExtent::PointExtent(std::span<const Point3> points) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::array<double, 3> low{infinity, infinity, infinity};
+  std::array<double, 3> high{-infinity, -infinity, -infinity};
+  int lowest = 2000;
+  for (const Point3& p : points) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double v = p[axis];
+      low[axis] = std::min(low[axis], v);
+      high[axis] = std::max(high[axis], v);
+      if (v != 0) lowest = std::min(lowest, lowest_bit(v));
+    }
+  }
+  x = high[0] - low[0];
+  y = high[1] - low[1];
+  z = high[2] - low[2];
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    largest = std::max({largest, std::fabs(low[axis]), std::fabs(high[axis])});
+  }
+  // Fifth powers of it must be doubles that do not lose bits.
+  if (lowest >= -200 && lowest <= 200) grid = std::ldexp(1.0, lowest);
+}
+
+DelaunaySigns::DelaunaySigns(std::span<const Point3> points, bool is_flat)
+    : points_(points.data()),
+      apex_(is_flat ? static_cast<std::uint32_t>(points.size() - 1) : no_vertex),
+      orientation_bound_(std::numeric_limits<double>::infinity()),
+      sphere_bound_(std::numeric_limits<double>::infinity()) {
+  const PointExtent extent(points);
+  const double m = std::max({extent.x, extent.y, extent.z});
+  // Of grids: the determinants' terms are multiples of the power of the grid, and below 2^53 times it where 6 XYZ and
+  // 72 XYZ M^2 (the sum of the magnitudes of all terms) are; 2^52, as the products round. Where a maximum is below the
+  // grid it is zero, and so is every term.
+  const double g = extent.grid;
+  orientation_grid_ = g * g * g * (0x1p52 / 6);
+  sphere_grid_ = g * g * g * g * g * (0x1p52 / 72);
+  if (extent.largest < 0x1p300 && extent.largest > 0x1p-300) {
+    int exponent = 0;
+    std::frexp(extent.largest, &exponent);  // below 2^exponent
+    integer_scale_ = std::ldexp(1.0, 61 - exponent);
+  }
+  if (!(m <= largest_extent)) return;
+  const double volume = extent.x * extent.y * extent.z;
+  is_orientation_exact_ = volume < orientation_grid_;
+  is_sphere_exact_ = volume * (m * m) < sphere_grid_;
+  orientation_bound_ = is_orientation_exact_ ? 0 : orientation_error * more * volume + orientation_slack;
+  sphere_bound_ = is_sphere_exact_ ? 0 : sphere_error * more * volume * (m * m) + sphere_slack;
+}
+
+int DelaunaySigns::close_orientation(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d,
+                                     double value) const {
+  if (is_orientation_exact_) return (value > 0) - (value < 0);
+  // The apex has the highest number.
+  if (apex_ != no_vertex && std::max({a, b, c, d}) != apex_) return 0;
+  const filter::Orientation det(points_[a], points_[b], points_[c], points_[d]);
+  if (det.x * det.y * det.z < orientation_grid_) return (value > 0) - (value < 0);
+  return to_int(quoin::orientation(points_[a], points_[b], points_[c], points_[d]));
+}
+
+int DelaunaySigns::close_sphere(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d, std::uint32_t q,
+                                double value) const {
+  if (is_sphere_exact_) return (value > 0) - (value < 0);
+  const filter::InSphere det(points_[a], points_[b], points_[c], points_[d], points_[q]);
+  const double m = std::max({det.x, det.y, det.z});
+  if (m <= largest_extent) {
+    const double size = det.x * det.y * det.z * (m * m);
+    if (std::fabs(value) > sphere_error * size + sphere_slack) return value > 0 ? 1 : -1;
+    if (size < sphere_grid_) return (value > 0) - (value < 0);
+  }
+  int sign = 0;
+  if (detail::in_sphere_of_integers({&points_[a], &points_[b], &points_[c], &points_[d], &points_[q]}, integer_scale_,
+                                    sign)) {
+    return sign;
+  }
+  Tier ignored;
+  return to_int(detail::exact_in_sphere(points_[a], points_[b], points_[c], points_[d], points_[q], ignored));
+}
+
+bool DelaunaySigns::close_conflict(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d, std::uint32_t q,
+                                   double value) const {
+  const int sign = close_sphere(a, b, c, d, q, value);
+  if (sign != 0) return sign > 0;
+  return is_perturbed_inside(points_, a, b, c, d, q, [this](auto... vertices) { return orientation(vertices...); });
+}
+
+int DelaunaySigns::in_sphere(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d,
+                             std::uint32_t q) const {
+  const filter::InSphere det(points_[a], points_[b], points_[c], points_[d], points_[q]);
+  if (std::fabs(det.value) > sphere_bound_) return det.value > 0 ? 1 : -1;
+  return close_sphere(a, b, c, d, q, det.value);
+}
+
+}  // namespace quoin

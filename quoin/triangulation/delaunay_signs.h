@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <span>
+
+#include "quoin/kernel/point.h"
+#include "quoin/kernel/predicate_filters.h"
+#include "quoin/triangulation/cell_array.h"
+
+namespace quoin {
+
+/// What is known of all points of a triangulation together: bounds for filters that cost one comparison, and the grid
+/// on which doubles do not round.
+struct PointExtent {
+  double x = 0;  ///< largest difference of coordinates, up to a rounding
+  double y = 0;
+  double z = 0;
+  double largest = 0;  ///< magnitude of a coordinate
+  double grid = 0;     ///< a power of two of which all coordinates are multiples; 0 if there is none above 2^-200
+
+  explicit PointExtent(std::span<const Point3> points);
+};
+
+/// The predicates of a Delaunay triangulation of given points, by the indices of the points.
+///
+/// Exact for all points. The tiers: a bound for all points; the bound of filter::in_sphere for the call; where the
+/// values of the call are small multiples of the grid, the double itself, which is then exact; integers.
+///
+/// Points of one sphere are told apart as if each were lifted by an infinitely small height above the paraboloid, those
+/// that are larger in lexicographic order infinitely higher: so each triangulation is unique, whatever the order of
+/// insertion, and no cell is flat. Source: Devillers and Teillaud 2011.
+class DelaunaySigns {
+ public:
+  static constexpr bool may_hide = false;
+
+  /// If the points lie in one plane but for the last, `is_flat`: then four of the others are coplanar without a test.
+  DelaunaySigns(std::span<const Point3> points, bool is_flat);
+
+  int orientation(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const {
+    const filter::Orientation det(points_[a], points_[b], points_[c], points_[d]);
+    if (std::fabs(det.value) > orientation_bound_) [[likely]]
+      return det.value > 0 ? 1 : -1;
+    return close_orientation(a, b, c, d, det.value);
+  }
+
+  /// Whether q is inside the sphere of the cell, which is none at infinity.
+  bool in_conflict(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d, std::uint32_t q) const {
+    const filter::InSphere det(points_[a], points_[b], points_[c], points_[d], points_[q]);
+    if (std::fabs(det.value) > sphere_bound_) [[likely]]
+      return det.value > 0;
+    return close_conflict(a, b, c, d, q, det.value);
+  }
+
+  /// Sign of the sphere test without perturbation; positive inside.
+  int in_sphere(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d, std::uint32_t q) const;
+
+  const void* address_of(std::uint32_t vertex) const { return &points_[vertex]; }
+
+ private:
+  int close_orientation(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d, double value) const;
+  bool close_conflict(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d, std::uint32_t q,
+                      double value) const;
+  int close_sphere(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d, std::uint32_t q,
+                   double value) const;
+
+  const Point3* points_;
+  std::uint32_t apex_;  ///< the only point off the plane of all others, or no_vertex
+  double orientation_bound_;
+  double sphere_bound_;
+  bool is_orientation_exact_ = false;  ///< the doubles do not round, for any points
+  bool is_sphere_exact_ = false;
+  double orientation_grid_ = 0;  ///< products of maxima below it do not round
+  double sphere_grid_ = 0;
+  double integer_scale_ = 0;  ///< makes coordinates integers below 2^61, where they are such
+};
+
+/// The perturbation: whether q is in conflict with the cell whose sphere it lies on; `orientation_sign` is exact, of
+/// five points that it is given by their numbers.
+template <class OrientationSign>
+bool is_perturbed_inside(const Point3* points, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d,
+                         std::uint32_t q, const OrientationSign& orientation_sign) {
+  std::array<std::uint32_t, 4> cell{a, b, c, d};
+  std::uint32_t rest = 0xF;  // slots not yet looked at
+  while (rest != 0) {
+    unsigned highest = 4;
+    for (unsigned i = 0; i < 4; ++i) {
+      if ((rest >> i & 1) == 0) continue;
+      if (highest == 4 || lexicographically_less(points[cell[highest]], points[cell[i]])) highest = i;
+    }
+    // Where q is lifted more than all that are left, it leaves the sphere.
+    if (lexicographically_less(points[cell[highest]], points[q])) return false;
+    std::array<std::uint32_t, 4> replaced = cell;
+    replaced[highest] = q;
+    const int weight = orientation_sign(replaced[0], replaced[1], replaced[2], replaced[3]);
+    if (weight != 0) return weight > 0;
+    rest &= ~(1U << highest);
+  }
+  return false;
+}
+
+}  // namespace quoin

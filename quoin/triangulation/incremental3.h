@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "quoin/triangulation/cell_array.h"
+
+namespace quoin {
+
+/// Inserts points into a triangulation of space, one after the other: walks to the cell of the point, takes away the
+/// cells whose spheres it is in, and fills the hole with its star.
+///
+/// `Signs` owns all geometry: `orientation` of four vertices and `in_conflict` of a cell of finite vertices and a
+/// fifth. It must be that of a regular triangulation; then walks end (Edelsbrunner 1990) and holes are star-shaped.
+/// Where `Signs::may_hide`, a point may be in conflict with no cell, or the last one of all cells of another vertex.
+/// Expected O(1) cells per point for points in insertion rounds, after the walk. Source: Bowyer 1981; Watson 1981.
+template <class Signs>
+class IncrementalTriangulation {
+ public:
+  /// `vertices` is one more than the largest number of a vertex.
+  IncrementalTriangulation(const Signs& signs, std::size_t vertices, CellArray& cells)
+      : signs_(signs), cells_(cells), local_(vertices, unused) {
+    table_.resize(most_local * most_local);
+  }
+
+  /// The first cell, of four vertices in any order that are not coplanar, and its ghosts.
+  void start(std::array<std::uint32_t, 4> v) {
+    if (signs_.orientation(v[0], v[1], v[2], v[3]) < 0) std::swap(v[2], v[3]);
+    cells_.assign(5, {});
+    cells_[0].vertices = v;
+    for (unsigned i = 0; i < 4; ++i) {
+      // Seen from outside the facet turns the other way.
+      const std::array<unsigned, 3> f = facet_slots[i];
+      cells_[i + 1].vertices = {v[f[1]], v[f[0]], v[f[2]], vertex_at_infinity};
+      cells_[i + 1].neighbours[3] = i;
+      cells_[0].neighbours[i] = (i + 1) * 4 + 3;
+      const std::array<unsigned, 3> opposite{f[1], f[0], f[2]};
+      for (unsigned slot = 0; slot < 3; ++slot) {
+        // Across the edge without this vertex: the ghost of the facet opposite to it.
+        const std::array<unsigned, 3> g = facet_slots[opposite[slot]];
+        const unsigned there = g[1] == i ? 0 : g[0] == i ? 1 : 2;
+        cells_[i + 1].neighbours[slot] = (opposite[slot] + 1) * 4 + there;
+      }
+    }
+    last_ = 0;
+  }
+
+  /// The cell in which the walk from the cell inserted last ends: a finite one that holds the point, or a ghost of a
+  /// facet that sees it.
+  std::uint32_t locate(std::uint32_t q) const {
+    std::uint32_t cell = last_;
+    if (cells_[cell].vertices[3] == vertex_at_infinity) cell = cells_[cell].neighbours[3] >> 2;
+    unsigned entry = 4;
+    for (;;) {
+      const TriangulationCell& at = cells_[cell];
+      if (at.vertices[3] == vertex_at_infinity) return cell;
+      unsigned exit = 0;
+      for (; exit < 4; ++exit) {
+        if (exit == entry) continue;
+        const auto& [a, b, c] = facet_slots[exit];
+        if (signs_.orientation(at.vertices[a], at.vertices[b], at.vertices[c], q) < 0) break;
+      }
+      if (exit == 4) return cell;
+      entry = at.neighbours[exit] & 3;
+      cell = at.neighbours[exit] >> 2;
+    }
+  }
+
+  /// False if the point is hidden. `when_hidden` is called with each vertex that the new one hides.
+  template <class WhenHidden>
+  bool insert(std::uint32_t q, [[maybe_unused]] const WhenHidden& when_hidden) {
+    const std::uint32_t found = locate(q);
+    if constexpr (Signs::may_hide) {
+      if (!is_in_conflict(cells_[found], q)) return false;
+    }
+    gather(found, q);
+    if constexpr (Signs::may_hide) collect_vertices();
+    if (!fill_by_table(q)) fill_by_sorting(q);
+    if constexpr (Signs::may_hide) {
+      for (const std::uint32_t v : inner_) {
+        if (local_[v] == unused) when_hidden(v);
+      }
+    }
+    for (const std::uint32_t v : star_) local_[v] = unused;
+    free_.insert(free_.end(), dead_.begin() + static_cast<std::ptrdiff_t>(std::min(dead_.size(), facets_.size())),
+                 dead_.end());
+    last_ = new_cells_.back();
+    return true;
+  }
+
+  /// Cells that are of no use move out of the array.
+  void compact() {
+    std::sort(free_.rbegin(), free_.rend());
+    for (const std::uint32_t hole : free_) {
+      const auto end = static_cast<std::uint32_t>(cells_.size() - 1);
+      if (hole != end) {
+        cells_[hole] = cells_[end];
+        for (unsigned i = 0; i < 4; ++i) {
+          const std::uint32_t mate = cells_[hole].neighbours[i];
+          cells_[mate >> 2].neighbours[mate & 3] = hole * 4 + i;
+        }
+        if (last_ == end) last_ = hole;
+      }
+      cells_.pop_back();
+    }
+    free_.clear();
+  }
+
+ private:
+  static constexpr std::uint32_t mark = 0x80000000U;  // on the first vertex of a cell that goes
+  static constexpr std::uint8_t unused = 0xFF;
+  static constexpr unsigned most_local = 64;  // vertices of a star in the table; the last one is infinity
+
+  /// Between a cell that goes and one that stays: its vertices as in facet_slots, and the one that stays.
+  struct Facet {
+    std::uint32_t outer;
+    std::array<std::uint32_t, 3> vertices;
+  };
+
+  bool is_in_conflict(const TriangulationCell& cell, std::uint32_t q) const {
+    const auto& v = cell.vertices;
+    if (v[3] != vertex_at_infinity) [[likely]]
+      return signs_.in_conflict(v[0], v[1], v[2], v[3], q);
+    const int side = signs_.orientation(v[0], v[1], v[2], q);
+    if (side != 0) return side > 0;
+    // In the plane of the facet: its circle is where every sphere through it meets the plane.
+    auto w = cells_[cell.neighbours[3] >> 2].vertices;
+    w[0] &= ~mark;
+    return signs_.in_conflict(w[0], w[1], w[2], w[3], q);
+  }
+
+  void take(std::uint32_t cell) {
+    cells_[cell].vertices[0] |= mark;
+    dead_.push_back(cell);
+    for (const std::uint32_t next : cells_[cell].neighbours) __builtin_prefetch(&cells_[next >> 2]);
+  }
+
+  void gather(std::uint32_t found, std::uint32_t q) {
+    dead_.clear();
+    facets_.clear();
+    take(found);
+    for (std::size_t k = 0; k < dead_.size(); ++k) {
+      const TriangulationCell cell = cells_[dead_[k]];
+      std::array<std::uint32_t, 4> v = cell.vertices;
+      v[0] &= ~mark;
+      for (unsigned i = 0; i < 4; ++i) {
+        const std::uint32_t next = cell.neighbours[i] >> 2;
+        if ((cells_[next].vertices[0] & mark) != 0) continue;
+        if (is_in_conflict(cells_[next], q)) {
+          take(next);
+        } else {
+          const auto& [a, b, c] = facet_slots[i];
+          facets_.push_back({cell.neighbours[i], {v[a], v[b], v[c]}});
+        }
+      }
+    }
+  }
+
+  std::uint32_t new_cell(std::size_t k) {
+    if (k < dead_.size()) return dead_[k];
+    if (!free_.empty()) {
+      const std::uint32_t cell = free_.back();
+      free_.pop_back();
+      return cell;
+    }
+    cells_.emplace_back();
+    return static_cast<std::uint32_t>(cells_.size() - 1);
+  }
+
+  /// The cell of a facet and q; the slots of the facet's vertices and of q are those of `slots_of`.
+  void write_cell(std::uint32_t id, const Facet& facet, std::uint32_t q) {
+    const auto& [a, b, c] = facet.vertices;
+    TriangulationCell& cell = cells_[id];
+    const bool is_ghost = c == vertex_at_infinity;
+    if (is_ghost) {
+      cell.vertices = {b, a, q, c};
+    } else {
+      cell.vertices = {a, b, c, q};
+    }
+    const std::uint32_t apex = is_ghost ? 2 : 3;
+    cell.neighbours[apex] = facet.outer;
+    cells_[facet.outer >> 2].neighbours[facet.outer & 3] = id * 4 + apex;
+  }
+
+  static constexpr std::array<std::uint32_t, 3> slots_of(const Facet& facet) {
+    return facet.vertices[2] == vertex_at_infinity ? std::array<std::uint32_t, 3>{1, 0, 3}
+                                                   : std::array<std::uint32_t, 3>{0, 1, 2};
+  }
+
+  unsigned local_number(std::uint32_t v) {
+    if (v == vertex_at_infinity) return most_local - 1;
+    std::uint8_t& number = local_[v];
+    if (number == unused) {
+      number = static_cast<std::uint8_t>(star_.size());
+      star_.push_back(v);
+    }
+    return number;
+  }
+
+  /// Each directed edge of the hole's surface is of one facet, and its reverse of the one beyond.
+  bool fill_by_table(std::uint32_t q) {
+    star_.clear();
+    new_cells_.clear();
+    numbers_.clear();
+    if (facets_.size() > 2 * (most_local - 2) - 4) return false;  // a sphere of more triangles has more vertices
+    for (std::size_t k = 0; k < facets_.size(); ++k) {
+      const Facet& facet = facets_[k];
+      const std::array<unsigned, 3> l{local_number(facet.vertices[0]), local_number(facet.vertices[1]),
+                                      local_number(facet.vertices[2])};
+      const std::uint32_t id = new_cell(k);
+      new_cells_.push_back(id);
+      numbers_.push_back(l);
+      write_cell(id, facet, q);
+      const auto slots = slots_of(facet);
+      table_[l[0] * most_local + l[1]] = id * 4 + slots[2];
+      table_[l[1] * most_local + l[2]] = id * 4 + slots[0];
+      table_[l[2] * most_local + l[0]] = id * 4 + slots[1];
+    }
+    for (std::size_t k = 0; k < facets_.size(); ++k) {
+      const auto& l = numbers_[k];
+      const auto slots = slots_of(facets_[k]);
+      TriangulationCell& cell = cells_[new_cells_[k]];
+      cell.neighbours[slots[2]] = table_[l[1] * most_local + l[0]];
+      cell.neighbours[slots[0]] = table_[l[2] * most_local + l[1]];
+      cell.neighbours[slots[1]] = table_[l[0] * most_local + l[2]];
+    }
+    return true;
+  }
+
+  void fill_by_sorting(std::uint32_t q) {
+    edges_.clear();
+    for (std::size_t k = 0; k < facets_.size(); ++k) {
+      const Facet& facet = facets_[k];
+      const std::uint32_t id = new_cell(k);
+      new_cells_.push_back(id);
+      write_cell(id, facet, q);
+      const auto slots = slots_of(facet);
+      for (unsigned i = 0; i < 3; ++i) {
+        const std::uint32_t from = facet.vertices[i];
+        const std::uint32_t to = facet.vertices[(i + 1) % 3];
+        edges_.push_back({std::uint64_t{std::min(from, to)} << 32 | std::max(from, to), id * 4 + slots[(i + 2) % 3]});
+        if constexpr (Signs::may_hide) {
+          if (from != vertex_at_infinity && local_[from] == unused) {
+            local_[from] = 0;
+            star_.push_back(from);
+          }
+        }
+      }
+    }
+    std::sort(edges_.begin(), edges_.end());
+    for (std::size_t i = 0; i + 1 < edges_.size(); i += 2) {
+      const std::uint32_t one = edges_[i].second;
+      const std::uint32_t other = edges_[i + 1].second;
+      cells_[one >> 2].neighbours[one & 3] = other;
+      cells_[other >> 2].neighbours[other & 3] = one;
+    }
+  }
+
+  /// Of the cells that go; those on no facet of the hole are hidden afterwards.
+  void collect_vertices() {
+    inner_.clear();
+    for (const std::uint32_t cell : dead_) {
+      for (std::uint32_t v : cells_[cell].vertices) {
+        v &= ~mark;
+        if (v != vertex_at_infinity) inner_.push_back(v);
+      }
+    }
+    std::sort(inner_.begin(), inner_.end());
+    inner_.erase(std::unique(inner_.begin(), inner_.end()), inner_.end());
+  }
+
+  const Signs& signs_;
+  CellArray& cells_;
+  std::vector<std::uint8_t> local_;  // number of a vertex in the star, by vertex
+  std::vector<std::uint32_t> table_;
+  std::vector<std::uint32_t> dead_;
+  std::vector<Facet> facets_;
+  std::vector<std::uint32_t> star_;
+  std::vector<std::uint32_t> new_cells_;
+  std::vector<std::array<unsigned, 3>> numbers_;
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> edges_;
+  std::vector<std::uint32_t> inner_;
+  std::vector<std::uint32_t> free_;
+  std::uint32_t last_ = 0;
+};
+
+}  // namespace quoin

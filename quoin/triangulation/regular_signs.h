@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "quoin/kernel/point.h"
+#include "quoin/triangulation/delaunay_signs.h"
+
+namespace quoin {
+
+/// The predicates of a regular triangulation of weighted points, by their indices; a weight is the square of a radius,
+/// and may be negative.
+///
+/// Exact for all points and weights. The tiers: a bound for the call; where the values of the call are small multiples
+/// of the grid, the double itself; integers. Ties as DelaunaySigns.
+class RegularSigns {
+ public:
+  static constexpr bool may_hide = true;
+
+  RegularSigns(std::span<const Point3> points, std::span<const double> weights, bool is_flat);
+
+  int orientation(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const {
+    return plain_.orientation(a, b, c, d);
+  }
+
+  /// Whether the power of q is less than that of the sphere orthogonal to the cell's.
+  bool in_conflict(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d, std::uint32_t q) const {
+    const int sign = power_sign(a, b, c, d, q);
+    if (sign != 0) return sign > 0;
+    return is_perturbed_inside(points_, a, b, c, d, q, [this](auto... vertices) { return orientation(vertices...); });
+  }
+
+  /// Without perturbation; positive in conflict.
+  int power_sign(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d, std::uint32_t q) const;
+
+ private:
+  int exact_power_sign(const std::array<std::uint32_t, 5>& v) const;
+
+  DelaunaySigns plain_;
+  const Point3* points_;
+  const double* weights_;
+  double grid_ = 0;  ///< products of maxima below it do not round
+};
+
+}  // namespace quoin

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quoin/triangulation/vertex_points.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <new>
+#include <string>
+
+#include "quoin/base/error.h"
+#include "quoin/triangulation/spatial_order.h"
+
+namespace quoin {
+
+namespace {
+
+constexpr std::size_t most_points = 150'000'000;  // 2^30 cells
+
+/// Of a coordinate; refuses what is not finite.
+double largest_magnitude(std::span<const Point3> points) {
+  double largest = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double size = std::fabs(points[i][axis]);
+      if (!(size <= std::numeric_limits<double>::max())) {
+        throw InputError("point " + std::to_string(i) + " of the triangulation is not finite");
+      }
+      largest = std::max(largest, size);
+    }
+  }
+  return largest;
+}
+
+/// A power of two that brings coordinates into the range of the filters, without changing any of them by a rounding; 1
+/// where none does.
+double scale_of(std::span<const Point3> points, double largest) {
+  if (largest == 0 || (largest < 0x1p130 && largest > 0x1p-100)) return 1;
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  const double scale = std::ldexp(1.0, std::clamp(-exponent, -1000, 1000));
+  for (const Point3& p : points) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (p[axis] * scale / scale != p[axis]) return 1;
+    }
+  }
+  return scale;
+}
+
+Point3 scaled(const Point3& p, double scale) {
+  return {p.x * scale + 0.0, p.y * scale + 0.0, p.z * scale + 0.0};  // -0 becomes 0
+}
+
+}  // namespace
+
+VertexPoints::VertexPoints(std::span<const Point3> list, Scaling scaling, const Context& context) try {
+  if (list.empty()) throw InputError("a triangulation of no points");
+  if (list.size() > most_points) {
+    throw InputError("a triangulation takes at most " + std::to_string(most_points) + " points, not " +
+                     std::to_string(list.size()));
+  }
+  const double largest = largest_magnitude(list);
+  const double scale = scaling == Scaling::allowed ? scale_of(list, largest) : 1;
+  unscale = 1 / scale;
+  inputs = hilbert_order(list, context);
+  points.reserve(list.size() + 1);
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const Point3 p = scaled(list[inputs[i]], scale);
+    const bool is_new = points.empty() || !(points.back() == p);
+    if (!is_new && input_begin.empty()) {
+      input_begin.resize(points.size());
+      for (std::size_t v = 0; v < points.size(); ++v) input_begin[v] = static_cast<std::uint32_t>(v);
+    }
+    if (!is_new) continue;
+    if (!input_begin.empty()) input_begin.push_back(static_cast<std::uint32_t>(i));
+    points.push_back(p);
+  }
+  if (!input_begin.empty()) input_begin.push_back(static_cast<std::uint32_t>(inputs.size()));
+} catch (const std::bad_alloc&) {
+  refuse_for_memory(list.size());
+}
+
+void refuse_for_memory(std::size_t points) {
+  throw InputError("too little memory for the triangulation of " + std::to_string(points) +
+                   " points, which needs about " + std::to_string(points / 4000 + 1) + " MB");
+}
+
+}  // namespace quoin

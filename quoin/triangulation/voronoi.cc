@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quoin/triangulation/voronoi.h"
+
+#include <algorithm>
+#include <map>
+
+#include "quoin/base/error.h"
+
+namespace quoin {
+
+RationalPoint3 circumcentre(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
+  const RationalPoint3 origin = exact_point(a);
+  const RationalPoint3 p = exact_point(b) - origin;
+  const RationalPoint3 q = exact_point(c) - origin;
+  const RationalPoint3 r = exact_point(d) - origin;
+  // The planes 2 x . p = p . p and so on, by Cramer's rule.
+  const RationalPoint3 qr = cross(q, r);
+  const RationalPoint3 sum = qr * dot(p, p) + cross(r, p) * dot(q, q) + cross(p, q) * dot(r, r);
+  return origin + sum * (Rational(1) / (Rational(2) * dot(p, qr)));
+}
+
+Voronoi3::Voronoi3(const Delaunay3& triangulation) : triangulation_(triangulation), stars_(triangulation) {
+  if (triangulation.dimension() < 3) throw InputError("a Voronoi diagram of space of points that lie in a plane");
+}
+
+RationalPoint3 Voronoi3::corner(std::size_t cell) const {
+  const auto& v = triangulation_.cells()[cell].vertices;
+  const Delaunay3& t = triangulation_;
+  return circumcentre(t.point(v[0]), t.point(v[1]), t.point(v[2]), t.point(v[3]));
+}
+
+VoronoiFacet Voronoi3::facet(std::uint32_t vertex, std::uint32_t neighbour, std::uint32_t cell) const {
+  const std::span<const TriangulationCell> cells = triangulation_.cells();
+  std::vector<std::uint32_t> ring;
+  for_each_around_edge(cells, cell, slot_of(cells[cell], vertex), slot_of(cells[cell], neighbour),
+                       [&](std::uint32_t c) { ring.push_back(c); });
+  VoronoiFacet facet{neighbour, true, {}};
+  // An unbounded ring begins behind its ghosts, which follow each other.
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    if (triangulation_.is_ghost(ring[i]) && !triangulation_.is_ghost(ring[(i + 1) % ring.size()])) {
+      std::rotate(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>((i + 1) % ring.size()), ring.end());
+      facet.is_bounded = false;
+      break;
+    }
+  }
+  for (const std::uint32_t c : ring) {
+    if (triangulation_.is_ghost(c)) continue;
+    RationalPoint3 next = corner(c);
+    if (facet.corners.empty() || !(facet.corners.back() == next)) facet.corners.push_back(std::move(next));
+  }
+  if (facet.is_bounded && facet.corners.size() > 1 && facet.corners.front() == facet.corners.back()) {
+    facet.corners.pop_back();
+  }
+  return facet;
+}
+
+std::vector<VoronoiFacet> Voronoi3::facets(std::uint32_t vertex) const {
+  std::map<std::uint32_t, std::uint32_t> cell_of;  // by neighbour, some cell of the edge
+  for (const std::uint32_t c : stars_.star(vertex)) {
+    for (const std::uint32_t v : triangulation_.cells()[c].vertices) {
+      if (v != vertex && v != vertex_at_infinity) cell_of[v] = c;
+    }
+  }
+  std::vector<VoronoiFacet> all;
+  for (const auto& [neighbour, cell] : cell_of) {
+    VoronoiFacet next = facet(vertex, neighbour, cell);
+    if (!next.is_bounded || next.corners.size() > 2) all.push_back(std::move(next));
+  }
+  return all;
+}
+
+std::optional<Rational> Voronoi3::volume(std::uint32_t vertex) const {
+  if (stars_.is_on_hull(vertex)) return std::nullopt;
+  const RationalPoint3 apex = exact_point(triangulation_.point(vertex));
+  Rational sum;  // six times
+  for (const VoronoiFacet& facet : facets(vertex)) {
+    const RationalPoint3 first = facet.corners[0] - apex;
+    for (std::size_t i = 1; i + 1 < facet.corners.size(); ++i) {
+      sum += dot(first, cross(facet.corners[i] - apex, facet.corners[i + 1] - apex));
+    }
+  }
+  return sum / Rational(6);
+}
+
+}  // namespace quoin
