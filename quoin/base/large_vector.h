@@ -62,7 +62,7 @@ class UnsetAllocator : public LargeAllocator<T> {
  public:
   using value_type = T;
   template <class U>
-  struct rebind {
+  struct rebind {  // NOLINT(readability-identifier-naming): the name that the standard asks for
     using other = UnsetAllocator<U>;
   };
   UnsetAllocator() = default;

@@ -77,7 +77,7 @@ void add_part(const std::string& name, const MakePieces& make, std::vector<Assem
   parts.back().map_seconds = seconds;
 }
 
-void add_objects(std::vector<MeshObject> objects, const std::string& file, std::vector<AssemblyPart>& parts,
+void add_objects(const std::vector<MeshObject>& objects, const std::string& file, std::vector<AssemblyPart>& parts,
                  const Context& context) {
   for (const MeshObject& object : objects) {
     const std::string name = object.name.empty() ? part_name(file) : object.name;
