@@ -114,21 +114,27 @@ std::vector<std::uint32_t> candidates(std::span<const Point3> points, double lar
   return result;
 }
 
-ConvexHull hull_of_solid(std::span<const Point3> points, double largest, const Simplex& simplex,
-                         const Context& context) {
+/// Of the points that may be corners: the simplex, then rounds of all others.
+RandomOrder order_after_simplex(std::span<const Point3> points, double largest, const Simplex& simplex,
+                                const Context& context) {
   std::vector<std::uint32_t> chosen(points.size());
   std::iota(chosen.begin(), chosen.end(), 0U);
   if (points.size() >= many_points) chosen = candidates(points, largest, simplex, context);
-  const RandomOrder random = biased_random_order(points, chosen, context);
-  const std::vector<std::uint32_t> order = after_simplex(simplex, random.points);
+  RandomOrder order = biased_random_order(points, chosen, context);
+  order.points = after_simplex(simplex, order.points);
+  return order;
+}
+
+ConvexHull hull_of_solid(std::span<const Point3> points, double largest, const Simplex& simplex,
+                         const Context& context) {
+  const auto [order, round_begin] = order_after_simplex(points, largest, simplex, context);
   const LargeVector<Point3> ordered = gather(points, order, context);
   HullBuilder builder(ordered);
-  // Threads leave a few places empty.
-  builder.reserve(context.threads() > 1 ? ordered.size() + ordered.size() / 16 + 4096 : ordered.size());
+  builder.reserve(ordered.size());
   for (std::size_t round = 0; round < RandomOrder::rounds; ++round) {
     // Where rounds begin does not matter to a few points, of which four may have been in the simplex.
-    const auto begin = std::max<std::size_t>(4, random.round_begin[round]);
-    const auto end = round + 1 == RandomOrder::rounds ? ordered.size() : random.round_begin[round + 1];
+    const auto begin = std::max<std::size_t>(4, round_begin[round]);
+    const auto end = round + 1 == RandomOrder::rounds ? ordered.size() : round_begin[round + 1];
     if (begin < end) builder.insert_many(static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end), context);
   }
   return join_facets(builder, order, points.size(), context);

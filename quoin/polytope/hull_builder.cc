@@ -58,9 +58,12 @@ RationalPoint3 HullBuilder::exact(std::uint32_t point) const {
   return table_ != nullptr ? table_->exact(ids_[point]) : exact_point(points_[point]);
 }
 
+/// More than stay: new triangles are made before those that they replace are free, and threads leave places empty. What
+/// is not touched takes no memory; to move all would take twice as much.
 void HullBuilder::reserve(std::size_t vertices) {
-  triangles_.reserve(2 * vertices);
-  planes_.reserve(2 * vertices);
+  const std::size_t triangles = 2 * vertices + vertices / 8 + 4096;
+  triangles_.reserve(triangles);
+  planes_.reserve(triangles);
 }
 
 /// Strictly inside the first four.

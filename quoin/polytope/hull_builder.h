@@ -66,8 +66,9 @@ class HullBuilder {
     double offset;
   };
   const Plane& plane(std::uint32_t triangle) const { return planes_[triangle]; }
-  /// When sides are asked for no more.
+  /// When they are asked for no more.
   void drop_planes() { UnsetVector<Plane>().swap(planes_); }
+  void drop_triangles() { UnsetVector<Triangle>().swap(triangles_); }
   /// In magnitude, of all points.
   double largest_coordinate() const { return largest_; }
   /// A point inside, if some double is.

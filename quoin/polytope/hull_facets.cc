@@ -33,6 +33,10 @@ class FacetJoiner {
     builder_.drop_planes();
     if (has_flat_edges_) count_rims();
     put_in_order(triangular_facets());
+    if (!has_flat_edges_) {
+      builder_.drop_triangles();
+      triangles_ = {};
+    }
     ConvexHull hull;
     hull.dimension = 3;
     write_corners(hull);

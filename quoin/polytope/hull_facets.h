@@ -11,7 +11,8 @@
 namespace quoin {
 
 /// Joins coplanar triangles of a finished hull to facets, and drops what is no vertex then. `names`: what the points of
-/// the builder are called in the result, less than `name_count`. Planes of the builder are dropped. O(n), exact.
+/// the builder are called in the result, less than `name_count`. The builder is of no use then. O(n),
+/// exact.
 ConvexHull join_facets(HullBuilder& builder, std::span<const std::uint32_t> names, std::size_t name_count,
                        const Context& context);
 
