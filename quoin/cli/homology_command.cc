@@ -20,6 +20,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// Above dimension 3 the links of all simplices have their homology computed.
+constexpr std::size_t most_with_links = 4000;
+
 void warn_of(const MeshComplex& made, bool has_faces, const std::string& name, std::vector<std::string>& warnings) {
   const auto warn = [&](std::size_t count, const char* what) {
     if (count > 0) warnings.push_back(shown(name) + ": " + std::to_string(count) + what);
@@ -126,7 +129,13 @@ int run_homology(const Options& options, const Context& context) {
   const IntegerHomology homology = integer_homology(complex, context);
   report["betti"] = betti_of(complex, homology, primes, context);
   report["torsion"] = torsion_of(homology);
-  add_manifold(report, complex, context);
+  if (complex.dimension() <= 3 || complex.size() <= most_with_links) {
+    add_manifold(report, complex, context);
+  } else {
+    warnings.push_back(shown(name) +
+                       ": whether it is a manifold was not examined: of dimension above 3 and more than " +
+                       std::to_string(most_with_links) + " simplices");
+  }
   const std::string text = as_text(report);
   print_report(std::move(report), text, warnings, options);
   return 0;

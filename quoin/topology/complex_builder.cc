@@ -40,10 +40,13 @@ void sort_narrow(std::uint32_t* begin, std::uint32_t* end) {
 }
 
 void sort_wide(std::uint32_t* begin, std::uint32_t* end, std::size_t width) {
-  std::vector<std::vector<std::uint32_t>> rows;
-  for (const std::uint32_t* row = begin; row != end; row += width) rows.emplace_back(row, row + width);
-  std::sort(rows.begin(), rows.end());
-  for (const std::vector<std::uint32_t>& row : rows) begin = std::copy(row.begin(), row.end(), begin);
+  const std::vector<std::uint32_t> copy(begin, end);
+  std::vector<const std::uint32_t*> rows;
+  for (std::size_t i = 0; i < copy.size(); i += width) rows.push_back(copy.data() + i);
+  std::sort(rows.begin(), rows.end(), [width](const std::uint32_t* a, const std::uint32_t* b) {
+    return std::lexicographical_compare(a, a + width, b, b + width);
+  });
+  for (const std::uint32_t* row : rows) begin = std::copy_n(row, width, begin);
 }
 
 bool is_sorted(const std::uint32_t* begin, const std::uint32_t* end, std::size_t width) {

@@ -25,7 +25,8 @@ struct ManifoldReport {
   bool is_closed() const { return is_manifold() && boundary_facets == 0; }
 };
 
-/// O(size) up to dimension 3 for links of bounded size. The empty complex is a closed manifold. @throws Cancelled
+/// O(size) up to dimension 3 for links of bounded size; above, O(size^2) and the homology of every link. The empty
+/// complex is a closed manifold. @throws Cancelled
 ManifoldReport check_manifold(const SimplicialComplex& complex, const Context& context);
 
 /// The simplices opposite to a simplex in those that contain it, as a complex with the labels of the whole.
