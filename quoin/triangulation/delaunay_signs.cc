@@ -71,6 +71,7 @@ DelaunaySigns::DelaunaySigns(std::span<const Point3> points, bool is_flat)
     std::frexp(extent.largest, &exponent);  // below 2^exponent
     integer_scale_ = std::ldexp(1.0, 61 - exponent);
   }
+  choose_keys(extent);
   if (!(m <= largest_extent)) return;
   const double volume = extent.x * extent.y * extent.z;
   is_orientation_exact_ = volume < orientation_grid_;
@@ -112,7 +113,25 @@ bool DelaunaySigns::close_conflict(std::uint32_t a, std::uint32_t b, std::uint32
                                    double value) const {
   const int sign = close_sphere(a, b, c, d, q, value);
   if (sign != 0) return sign > 0;
-  return is_perturbed_inside(points_, a, b, c, d, q, [this](auto... vertices) { return orientation(vertices...); });
+  const std::array<std::uint32_t, 5> v{a, b, c, d, q};
+  const auto sign_of_four = [this](auto... vertices) { return orientation(vertices...); };
+  if (has_keys_) {
+    std::array<double, 5> keys;
+    for (std::size_t i = 0; i < 5; ++i) keys[i] = points_[v[i]].x * key_x_ + points_[v[i]].y * key_y_ + points_[v[i]].z;
+    return is_perturbed_inside(
+        v, [&](unsigned i, unsigned j) { return keys[i] < keys[j]; }, sign_of_four);
+  }
+  const auto is_less = [&](unsigned i, unsigned j) { return lexicographically_less(points_[v[i]], points_[v[j]]); };
+  return is_perturbed_inside(v, is_less, sign_of_four);
+}
+
+/// A step in y exceeds all of z, a step in x all of both. Factors are integers, all terms multiples of the grid.
+void DelaunaySigns::choose_keys(const PointExtent& extent) {
+  const double g = extent.grid;
+  if (g == 0 || !(extent.largest < g * 0x1p50)) return;
+  key_y_ = extent.z / g + 1;
+  key_x_ = (extent.y * key_y_ + extent.z) / g + 1;
+  has_keys_ = extent.largest * (key_x_ + key_y_ + 1) < g * 0x1p52;
 }
 
 int DelaunaySigns::in_sphere(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <span>
@@ -64,6 +65,7 @@ class DelaunaySigns {
                       double value) const;
   int close_sphere(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d, std::uint32_t q,
                    double value) const;
+  void choose_keys(const PointExtent& extent);
 
   const Point3* points_;
   std::uint32_t apex_;  ///< the only point off the plane of all others, or no_vertex
@@ -73,26 +75,30 @@ class DelaunaySigns {
   bool is_sphere_exact_ = false;
   double orientation_grid_ = 0;  ///< products of maxima below it do not round
   double sphere_grid_ = 0;
+  // Where coordinates are small multiples of the grid, x key_x_ + y key_y_ + z is exact and in lexicographic order.
+  bool has_keys_ = false;
+  double key_x_ = 0;
+  double key_y_ = 0;
   double integer_scale_ = 0;  ///< makes coordinates integers below 2^61, where they are such
 };
 
-/// The perturbation: whether q is in conflict with the cell whose sphere it lies on; `orientation_sign` is exact, of
-/// five points that it is given by their numbers.
-template <class OrientationSign>
-bool is_perturbed_inside(const Point3* points, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d,
-                         std::uint32_t q, const OrientationSign& orientation_sign) {
-  std::array<std::uint32_t, 4> cell{a, b, c, d};
-  std::uint32_t rest = 0xF;  // slots not yet looked at
+/// The perturbation: whether q is in conflict with the cell whose sphere it lies on. `is_less(i, j)` is the
+/// lexicographic order of a, b, c, d, q by their places 0 to 4; `orientation_sign` is exact, of points given by their
+/// numbers.
+template <class Less, class OrientationSign>
+bool is_perturbed_inside(const std::array<std::uint32_t, 5>& v, const Less& is_less,
+                         const OrientationSign& orientation_sign) {
+  unsigned rest = 0xF;  // places not yet looked at
   while (rest != 0) {
     unsigned highest = 4;
     for (unsigned i = 0; i < 4; ++i) {
       if ((rest >> i & 1) == 0) continue;
-      if (highest == 4 || lexicographically_less(points[cell[highest]], points[cell[i]])) highest = i;
+      if (highest == 4 || is_less(highest, i)) highest = i;
     }
     // Where q is lifted more than all that are left, it leaves the sphere.
-    if (lexicographically_less(points[cell[highest]], points[q])) return false;
-    std::array<std::uint32_t, 4> replaced = cell;
-    replaced[highest] = q;
+    if (is_less(highest, 4)) return false;
+    std::array<std::uint32_t, 4> replaced{v[0], v[1], v[2], v[3]};
+    replaced[highest] = v[4];
     const int weight = orientation_sign(replaced[0], replaced[1], replaced[2], replaced[3]);
     if (weight != 0) return weight > 0;
     rest &= ~(1U << highest);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -28,7 +29,10 @@ class RegularSigns {
   bool in_conflict(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d, std::uint32_t q) const {
     const int sign = power_sign(a, b, c, d, q);
     if (sign != 0) return sign > 0;
-    return is_perturbed_inside(points_, a, b, c, d, q, [this](auto... vertices) { return orientation(vertices...); });
+    const std::array<std::uint32_t, 5> v{a, b, c, d, q};
+    return is_perturbed_inside(
+        v, [&](unsigned i, unsigned j) { return lexicographically_less(points_[v[i]], points_[v[j]]); },
+        [this](auto... vertices) { return orientation(vertices...); });
   }
 
   /// Without perturbation; positive in conflict.
