@@ -61,7 +61,7 @@ bool are_apart(const Cap& a, const Cap& b) {
 
 class CrossingTest {
  public:
-  CrossingTest(const TiledSurface& a, const TiledSurface& b, const SurfaceSigns& signs) : a_(a), b_(b), signs_(signs) {}
+  explicit CrossingTest(const SurfaceSigns& signs) : signs_(signs) {}
 
   /// The arcs of e and f cross where they pass each other's planes, both at e x f or both at its opposite.
   int along(const TiledSurface::Edge& e, const TiledSurface::Edge& f) const {
@@ -74,8 +74,6 @@ class CrossingTest {
   }
 
  private:
-  const TiledSurface& a_;
-  const TiledSurface& b_;
   const SurfaceSigns& signs_;
 };
 
@@ -85,7 +83,7 @@ std::vector<ArcCrossing> arc_crossings(const TiledSurface& a, const TiledSurface
                                        const Context& context) {
   const std::vector<Cap> caps_a = caps_of(a);
   const std::vector<Cap> caps_b = caps_of(b);
-  const CrossingTest test(a, b, signs);
+  const CrossingTest test(signs);
   constexpr std::size_t grain = 64;
   std::vector<std::vector<ArcCrossing>> found(chunk_count(a.edges().size(), grain));
   for_each_chunk(context, a.edges().size(), grain, [&](const Chunk& chunk) {
