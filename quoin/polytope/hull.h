@@ -37,9 +37,9 @@ struct ConvexHull {
 ///
 /// Points enter in random rounds, each along a Hilbert curve; a point is located by a walk over the hull, and the
 /// facets that it sees are replaced. Expected O(n log n) for any input whose random samples have hulls of linear size,
-/// as all do in space; about 190 bytes for each vertex, 40 for each point. Threads share every step that is not O(1)
-/// for each round; in each round, points whose insertion would meet the planes that part the threads' points enter
-/// last. Source: Clarkson and Shor 1989; Amenta, Choi and Rote 2003 (rounds); Edelsbrunner 1990 (why the walk ends).
+/// as all do in space; about 190 bytes for each vertex, 40 for each point. Threads share the insertions, each for
+/// points on one side of a plane, and the passes over all points and facets; points that meet such a plane enter last.
+/// Source: Clarkson and Shor 1989; Amenta, Choi and Rote 2003 (rounds); Edelsbrunner 1990 (why the walk ends).
 /// @throws InputError naming a point that is not finite, Cancelled
 ConvexHull convex_hull(std::span<const Point3> points, const Context& context);
 
