@@ -106,7 +106,7 @@ std::vector<AssemblyPart> read_parts(const Options& options, std::vector<std::st
   for (const std::string& file : options.inputs) {
     context.progress("parts", static_cast<double>(parts.size()) / static_cast<double>(options.inputs.size()));
     if (auto objects = read_objects(file, options, warnings, context)) {
-      add_objects(std::move(*objects), file, parts, context);
+      add_objects(*objects, file, parts, context);
       continue;
     }
     const Input input = read_input(file, options, warnings, context);
