@@ -25,7 +25,7 @@ class LargeAllocator {
 
   T* allocate(std::size_t count) {
     const std::size_t bytes = count * sizeof(T);
-    if (bytes < threshold) return static_cast<T*>(::operator new(bytes));
+    if (bytes < threshold) return static_cast<T*>(::operator new (bytes, std::align_val_t{alignment}));
     T* const block = static_cast<T*>(::operator new ((bytes + page - 1) / page * page, std::align_val_t{page}));
 #if defined(__linux__)
     // Whole pages only, so that no more memory is taken than asked for.
@@ -35,7 +35,7 @@ class LargeAllocator {
   }
   void deallocate(T* block, std::size_t count) {
     if (count * sizeof(T) < threshold) {
-      ::operator delete(block);
+      ::operator delete (block, std::align_val_t{alignment});
     } else {
       ::operator delete (block, std::align_val_t{page});
     }
@@ -45,6 +45,8 @@ class LargeAllocator {
   }
 
  private:
+  static constexpr std::size_t alignment = alignof(T) > alignof(std::max_align_t) ? alignof(T)
+                                                                                  : alignof(std::max_align_t);
   static constexpr std::size_t page = std::size_t{1} << 21;
   static constexpr std::size_t threshold = 2 * page;
 };

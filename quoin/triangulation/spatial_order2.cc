@@ -70,7 +70,8 @@ class Axis {
   }
   unsigned cell(double x) const {
     const double place = (x / 2 - low_) * scale_ * factor_;
-    return static_cast<unsigned>(std::clamp(place, 0.0, 65535.0));
+    // Zero times infinity, of the smallest extents, is no number: the first cell too.
+    return place > 0 ? static_cast<unsigned>(std::min(place, 65535.0)) : 0;
   }
 
  private:
