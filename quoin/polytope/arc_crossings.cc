@@ -3,9 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
-#include <span>
 
 #include "quoin/base/parallel.h"
 
@@ -59,23 +57,16 @@ bool are_apart(const Cap& a, const Cap& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z < a.cosine * b.cosine - a.sine * b.sine;
 }
 
-class CrossingTest {
- public:
-  explicit CrossingTest(const SurfaceSigns& signs) : signs_(signs) {}
-
-  /// The arcs of e and f cross where they pass each other's planes, both at e x f or both at its opposite.
-  int along(const TiledSurface::Edge& e, const TiledSurface::Edge& f) const {
-    const Sign left_of_e = signs_.of_fixed_normal(TiledSurface::tile_of(e.halfedge), f.tail, f.head, f.vector);
-    const Sign left_of_f = signs_.of_turned_normal(TiledSurface::tile_of(f.halfedge), e.tail, e.head, e.vector);
-    if (e.sign * to_int(left_of_e) != -f.sign * to_int(left_of_f)) return 0;
-    if (signs_.of_fixed_normal(TiledSurface::tile_of(e.twin), f.tail, f.head, f.vector) == left_of_e) return 0;
-    if (signs_.of_turned_normal(TiledSurface::tile_of(f.twin), e.tail, e.head, e.vector) == left_of_f) return 0;
-    return -to_int(left_of_e);
-  }
-
- private:
-  const SurfaceSigns& signs_;
-};
+/// ArcCrossing::along_a, or 0. The arcs of e and f cross where they pass each other's planes, both at e x f or both at
+/// its opposite.
+int crossing_along(const SurfaceSigns& signs, const TiledSurface::Edge& e, const TiledSurface::Edge& f) {
+  const Sign left_of_e = signs.of_fixed_normal(TiledSurface::tile_of(e.halfedge), f.tail, f.head, f.vector);
+  const Sign left_of_f = signs.of_turned_normal(TiledSurface::tile_of(f.halfedge), e.tail, e.head, e.vector);
+  if (e.sign * to_int(left_of_e) != -f.sign * to_int(left_of_f)) return 0;
+  if (signs.of_fixed_normal(TiledSurface::tile_of(e.twin), f.tail, f.head, f.vector) == left_of_e) return 0;
+  if (signs.of_turned_normal(TiledSurface::tile_of(f.twin), e.tail, e.head, e.vector) == left_of_f) return 0;
+  return -to_int(left_of_e);
+}
 
 }  // namespace
 
@@ -83,7 +74,6 @@ std::vector<ArcCrossing> arc_crossings(const TiledSurface& a, const TiledSurface
                                        const Context& context) {
   const std::vector<Cap> caps_a = caps_of(a);
   const std::vector<Cap> caps_b = caps_of(b);
-  const CrossingTest test(signs);
   constexpr std::size_t grain = 64;
   std::vector<std::vector<ArcCrossing>> found(chunk_count(a.edges().size(), grain));
   for_each_chunk(context, a.edges().size(), grain, [&](const Chunk& chunk) {
@@ -93,7 +83,7 @@ std::vector<ArcCrossing> arc_crossings(const TiledSurface& a, const TiledSurface
       if (e.sign == 0) continue;
       for (std::size_t j = 0; j < caps_b.size(); ++j) {
         if (are_apart(caps_a[i], caps_b[j]) || b.edges()[j].sign == 0) continue;
-        const int along = test.along(e, b.edges()[j]);
+        const int along = crossing_along(signs, e, b.edges()[j]);
         if (along != 0)
           found[chunk.index].push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j), along});
       }

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "quoin/polytope/convolution.h"
 
-#include <algorithm>
-#include <functional>
 #include <span>
-#include <utility>
+#include <vector>
 
-#include "quoin/base/error.h"
 #include "quoin/polytope/arc_crossings.h"
 #include "quoin/polytope/critical_vertices.h"
 #include "quoin/polytope/pair_mesh.h"
@@ -62,62 +59,47 @@ class Convolver {
   }
 
   void add_tiles_of_a() {
-    const CrossingsOfEdges by_edge(a_.edges().size(), crossings_, &ArcCrossing::a);
-    CriticalVertices critical(b_);
-    const auto start = [&](std::uint32_t tile) {
-      const std::uint32_t tail = a_.tail(3 * tile);
-      const std::uint32_t head = a_.head(3 * tile);
-      const Vector3 path = vector_of(a_, 3 * tile);
-      const auto height = [&](const TiledSurface::Edge& f) {
-        return signs_.of_fixed_normal(tile, f.tail, f.head, f.vector);
-      };
-      const auto side_of_path = [&](std::uint32_t tile_of_b) {
-        return signs_.of_turned_normal(tile_of_b, tail, head, path);
-      };
-      critical.start(height, side_of_path);
-    };
-    const auto cross = [&](std::uint32_t halfedge) {
-      const std::uint32_t edge = a_.edge_of(halfedge);
-      const int way = a_.edges()[edge].halfedge == halfedge ? 1 : -1;
-      for (const std::uint32_t i : by_edge.of(edge)) {
-        const TiledSurface::Edge& f = b_.edges()[crossings_[i].b];
-        critical.move(f, way * crossings_[i].along_a * f.sign);
-      }
-    };
-    walk_tiles(a_, start, cross, [&](std::uint32_t tile) {
-      const Tile& t = a_.tiles()[tile];
-      for (const std::uint32_t v : critical.vertices())
-        mesh_.add({{{t[0], v}, {t[1], v}, {t[2], v}}}, critical.count(v));
-    });
+    const auto own = [this](auto... edge) { return signs_.of_fixed_normal(edge...); };
+    const auto other = [this](auto... edge) { return signs_.of_turned_normal(edge...); };
+    const auto change = [this](const ArcCrossing& x) { return x.along_a * b_.edges()[x.b].sign; };
+    const auto corner = [](std::uint32_t of_a, std::uint32_t of_b) { return PairMesh::Corner{of_a, of_b}; };
+    add_tiles(a_, &ArcCrossing::a, b_, &ArcCrossing::b, own, other, change, corner);
   }
 
   void add_tiles_of_b() {
-    const CrossingsOfEdges by_edge(b_.edges().size(), crossings_, &ArcCrossing::b);
-    CriticalVertices critical(a_);
+    const auto own = [this](auto... edge) { return signs_.of_turned_normal(edge...); };
+    const auto other = [this](auto... edge) { return signs_.of_fixed_normal(edge...); };
+    const auto change = [this](const ArcCrossing& x) { return -x.along_a * b_.edges()[x.b].sign; };
+    const auto corner = [](std::uint32_t of_b, std::uint32_t of_a) { return PairMesh::Corner{of_a, of_b}; };
+    add_tiles(b_, &ArcCrossing::b, a_, &ArcCrossing::a, own, other, change, corner);
+  }
+
+  /// Every tile of a surface at the vertices of the other one that are critical along its normal. `own` and `other`
+  /// give signs of the normals of the one and of the other; `change` what a crossing does to the head of the other's
+  /// edge, along the arc of the own one.
+  template <class Own, class Other, class Change, class MakeCorner>
+  void add_tiles(const TiledSurface& surface, std::uint32_t ArcCrossing::*own_edge, const TiledSurface& placed_at,
+                 std::uint32_t ArcCrossing::*other_edge, const Own& own, const Other& other, const Change& change,
+                 const MakeCorner& corner) {
+    const CrossingsOfEdges by_edge(surface.edges().size(), crossings_, own_edge);
+    CriticalVertices critical(placed_at);
     const auto start = [&](std::uint32_t tile) {
-      const std::uint32_t tail = b_.tail(3 * tile);
-      const std::uint32_t head = b_.head(3 * tile);
-      const Vector3 path = vector_of(b_, 3 * tile);
-      const auto height = [&](const TiledSurface::Edge& e) {
-        return signs_.of_turned_normal(tile, e.tail, e.head, e.vector);
-      };
-      const auto side_of_path = [&](std::uint32_t tile_of_a) {
-        return signs_.of_fixed_normal(tile_of_a, tail, head, path);
-      };
-      critical.start(height, side_of_path);
+      const std::uint32_t path = 3 * tile;
+      const Vector3 vector = vector_of(surface, path);
+      critical.start([&](const TiledSurface::Edge& e) { return own(tile, e.tail, e.head, e.vector); },
+                     [&](std::uint32_t t) { return other(t, surface.tail(path), surface.head(path), vector); });
     };
     const auto cross = [&](std::uint32_t halfedge) {
-      const std::uint32_t edge = b_.edge_of(halfedge);
-      const int way = b_.edges()[edge].halfedge == halfedge ? 1 : -1;
+      const std::uint32_t edge = surface.edge_of(halfedge);
+      const int way = surface.edges()[edge].halfedge == halfedge ? 1 : -1;
       for (const std::uint32_t i : by_edge.of(edge)) {
-        const TiledSurface::Edge& e = a_.edges()[crossings_[i].a];
-        critical.move(e, -way * crossings_[i].along_a * b_.edges()[edge].sign);
+        critical.move(placed_at.edges()[crossings_[i].*other_edge], way * change(crossings_[i]));
       }
     };
-    walk_tiles(b_, start, cross, [&](std::uint32_t tile) {
-      const Tile& t = b_.tiles()[tile];
+    walk_tiles(surface, start, cross, [&](std::uint32_t tile) {
+      const Tile& t = surface.tiles()[tile];
       for (const std::uint32_t v : critical.vertices())
-        mesh_.add({{{v, t[0]}, {v, t[1]}, {v, t[2]}}}, critical.count(v));
+        mesh_.add({corner(t[0], v), corner(t[1], v), corner(t[2], v)}, critical.count(v));
     });
   }
 
@@ -130,7 +112,6 @@ class Convolver {
   template <class Start, class Cross, class Visit>
   void walk_tiles(const TiledSurface& surface, const Start& start, const Cross& cross, const Visit& visit) {
     std::vector<bool> is_seen(surface.tiles().size(), false);
-    std::vector<std::uint32_t> path;  // halfedges to try next, 3 per tile that it leads through
     for (std::uint32_t root = 0; root < surface.tiles().size(); ++root) {
       if (is_seen[root]) continue;
       start(root);

@@ -9,8 +9,7 @@
 
 namespace quoin {
 
-/// The convolution of two boundaries as a closed surface that may cross itself, ready for an overlay; null where it
-/// has no area.
+/// The convolution of two boundaries as a closed surface that may cross itself, ready for an overlay.
 ///
 /// It is made of the tiles of either surface, each at the vertices of the other that are critical in the direction of
 /// its normal, and of parallelograms of edges whose arcs cross on the sphere; each as often, and turned over, as

@@ -88,19 +88,6 @@ SectionPlane plane_of(const Brep& boundary, std::uint32_t face) {
   return {normal, dot(normal, origin)};
 }
 
-/// With room of one on all sides.
-std::array<RationalPoint3, 2> box_around(const Brep& boundary) {
-  std::array<RationalPoint3, 2> box{boundary.points.exact(boundary.loop_vertices[0]), {}};
-  box[1] = box[0];
-  for (const PointId v : boundary.loop_vertices) {
-    const RationalPoint3 p = boundary.points.exact(v);
-    box[0] = {std::min(box[0].x, p.x), std::min(box[0].y, p.y), std::min(box[0].z, p.z)};
-    box[1] = {std::max(box[1].x, p.x), std::max(box[1].y, p.y), std::max(box[1].z, p.z)};
-  }
-  const RationalPoint3 one{Rational(1), Rational(1), Rational(1)};
-  return {box[0] - one, box[1] + one};
-}
-
 /// The least k with k (k - 1) / 2 at least `planes`.
 std::size_t pieces_for_planes(std::size_t planes) {
   std::size_t k = 1;
@@ -108,11 +95,12 @@ std::size_t pieces_for_planes(std::size_t planes) {
   return k;
 }
 
-/// Of one component.
+/// Of one component. Where it only touches itself along an edge no two pieces need a plane in common.
 std::size_t lower_bound(const Brep& boundary, const std::vector<Notch>& notches, const Context& context) {
   std::vector<const Notch*> chosen;
   for (const Notch& n : notches) {
     context.poll();
+    if (!n.is_manifold) continue;
     const bool is_apart = std::ranges::all_of(chosen, [&](const Notch* other) {
       return boundary.points.orientation_any(other->a, other->b, n.a, n.b) != Sign::zero;
     });
@@ -152,8 +140,9 @@ class Decomposer {
  private:
   void cut(Brep piece, const std::vector<Notch>& notches, std::vector<Brep>& waiting) {
     ++result_.cuts;
+    const RationalPoint3 one{Rational(1), Rational(1), Rational(1)};
     const SectionPlane plane = plane_of(piece, best_face(piece, notches, context_));
-    const Solid below = half_space_in_box(box_around(piece), plane, context_);
+    const Solid below = half_space_in_box(exact_bounds(piece).grown(one), plane, context_);
     const Solid whole = Solid::from_boundary(std::move(piece), "piece", context_);
     for (const Solid& side : {subtract(whole, {&below, 1}, context_), intersect(std::array{whole, below}, context_)}) {
       for (Brep& part : component_boundaries(side.boundary(), context_)) waiting.push_back(std::move(part));

@@ -24,10 +24,10 @@ struct ConvexDecomposition {
 /// others, and falls apart into components. At the end neighbours whose union is convex are joined, those with the
 /// largest common faces first. No plane is used but those of faces, so numbers do not grow.
 ///
-/// The bound: two convex pieces have at most one plane in common, each notch lies in such a plane, and no plane holds
-/// two of a set of notches that are pairwise not coplanar, which is chosen greedily. So with c of these k (k - 1) / 2
-/// is at least c; of several components bounds add up. O(cuts) overlays of pieces; O(notches^2) at worst to choose one.
-/// Source: Chazelle 1984; Bajaj and Dey 1992.
+/// The bound: two convex pieces have at most one plane in common, each notch where two faces meet lies in such a plane,
+/// and no plane holds two of a set of notches that are pairwise not coplanar, which is chosen greedily. So with c of
+/// these k (k - 1) / 2 is at least c; of several components bounds add up. O(cuts) overlays of pieces; O(notches^2) at
+/// worst to choose one. Source: Chazelle 1984; Bajaj and Dey 1992.
 /// @throws InputError  the solid is unbounded; Cancelled
 ConvexDecomposition convex_decomposition(const Solid& solid, const Context& context);
 

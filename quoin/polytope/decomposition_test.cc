@@ -101,6 +101,16 @@ TEST(ConvexDecomposition, OfComponentsAndOfSolidsThatTouchThemselves) {
   EXPECT_THROW(convex_decomposition(ring, cancelled), Cancelled);
 }
 
+/// Where pieces touch along edges alone, no plane has to be shared: the bound holds there too.
+TEST(ConvexDecomposition, BoundHoldsWhereASolidTouchesItself) {
+  std::vector<Solid> steps;
+  for (int i = 0; i < 5; ++i) steps.push_back(box({1.0 * i, 1.0 * i, 0}, {i + 1.0, i + 1.0, 1}));
+  steps.push_back(box({0, 0, -1}, {5, 5, 0}));
+  const ConvexDecomposition d = checked(unite(steps, one_thread));
+  EXPECT_LE(d.lower_bound, d.pieces.size());
+  EXPECT_LE(d.pieces.size(), 6U);
+}
+
 TEST(ConvexDecomposition, OfRandomSolidsIsExact) {
   for (std::uint64_t seed = 0; seed < test_rounds(25U); ++seed) {
     Random random(seed);

@@ -2,6 +2,7 @@
 #include "quoin/polytope/half_space.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <map>
 #include <span>
@@ -21,9 +22,10 @@ constexpr std::array<std::array<unsigned, 4>, 6> box_faces{
 
 class BoxCutter {
  public:
-  BoxCutter(const std::array<RationalPoint3, 2>& box, const SectionPlane& plane) {
+  BoxCutter(const ExactBox& box, const SectionPlane& plane) {
     for (unsigned i = 0; i < 8; ++i) {
-      points_.push_back({box[i & 1U].x, box[(i >> 1U) & 1U].y, box[i >> 2U].z});
+      points_.push_back({(i & 1U) != 0 ? box.hi.x : box.lo.x, (i & 2U) != 0 ? box.hi.y : box.lo.y,
+                         (i & 4U) != 0 ? box.hi.z : box.lo.z});
       heights_.push_back(dot(plane.normal, points_.back()) - plane.offset);
     }
   }
@@ -106,10 +108,14 @@ class BoxCutter {
 
 }  // namespace
 
-Solid half_space_in_box(const std::array<RationalPoint3, 2>& box, const SectionPlane& plane, const Context& context) {
+Solid half_space_in_box(const ExactBox& box, const SectionPlane& plane, const Context& context) {
   BoxCutter cutter(box, plane);
   if (cutter.is_all(Sign::positive)) return {};
   return cutter.run(context);
+}
+
+Solid solid_box(const ExactBox& box, const Context& context) {
+  return half_space_in_box(box, {{Rational(0), Rational(0), Rational(1)}, box.hi.z}, context);
 }
 
 }  // namespace quoin

@@ -67,7 +67,8 @@ std::vector<Notch> find_notches(const Brep& boundary, const Context& context) {
     while (end < sides.size() && ends(sides[end]) == ends(sides[first])) ++end;
     // Where several faces meet, the solid is reflex between some of them.
     if (end > first + 2 || (end == first + 2 && rises_above(boundary, sides[first], sides[first + 1].face))) {
-      Notch notch{PointId(std::size_t{sides[first].tail}), PointId(std::size_t{sides[first].head}), {}};
+      Notch notch{
+          PointId(std::size_t{sides[first].tail}), PointId(std::size_t{sides[first].head}), {}, end == first + 2};
       for (std::size_t i = first; i < end; ++i) {
         if (notch.faces.empty() || notch.faces.back() != sides[i].face) notch.faces.push_back(sides[i].face);
       }

@@ -12,7 +12,8 @@ namespace quoin {
 struct Notch {
   PointId a;
   PointId b;
-  std::vector<std::uint32_t> faces;  ///< those at the edge: two, or more where the solid touches itself
+  std::vector<std::uint32_t> faces;  ///< those at the edge
+  bool is_manifold = true;           ///< two faces meet there; else the solid touches itself along the edge
 };
 
 /// All of them. A connected solid without notches is convex. Exact, O(n log n).

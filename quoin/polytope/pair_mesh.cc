@@ -71,43 +71,6 @@ std::uint32_t PairMesh::vertex(const Corner& corner) {
   return entry->second;
 }
 
-/// Of two triangles of the same corners and opposite direction neither stays.
-void PairMesh::cancel() {
-  struct Turned {
-    Tile corners;  // ascending
-    int direction;
-    std::uint32_t number;
-  };
-  std::vector<Turned> turned;
-  for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
-    Tile c = triangles_[t];
-    std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
-    const bool is_odd = c[1] > c[2];
-    if (is_odd) std::swap(c[1], c[2]);
-    turned.push_back({c, is_odd ? -1 : 1, t});
-  }
-  std::sort(turned.begin(), turned.end(), [](const Turned& s, const Turned& t) {
-    return s.corners != t.corners ? s.corners < t.corners : s.number < t.number;
-  });
-  std::vector<bool> is_gone(triangles_.size(), false);
-  for (std::size_t first = 0; first < turned.size();) {
-    int balance = 0;
-    std::size_t end = first;
-    while (end < turned.size() && turned[end].corners == turned[first].corners) balance += turned[end++].direction;
-    for (std::size_t i = first; i < end; ++i) {
-      const bool stays = balance * turned[i].direction > 0;
-      is_gone[turned[i].number] = !stays;
-      if (stays) balance -= turned[i].direction;
-    }
-    first = end;
-  }
-  std::size_t kept = 0;
-  for (std::size_t t = 0; t < triangles_.size(); ++t) {
-    if (!is_gone[t]) triangles_[kept++] = triangles_[t];
-  }
-  triangles_.resize(kept);
-}
-
 std::shared_ptr<const Leaf> PairMesh::leaf(const TiledSurface& a, const TiledSurface& b, const Context& context) {
   Mesh mesh;
   mesh.name = "sum";
@@ -124,16 +87,13 @@ std::shared_ptr<const Leaf> PairMesh::leaf(const TiledSurface& a, const TiledSur
     }
     first = first_equal(exact, comes_before<RationalPoint3>);
   }
-  for (Tile& t : triangles_) t = {first[t[0]], first[t[1]], first[t[2]]};
-  cancel();
-  if (triangles_.empty()) return nullptr;
-  for (const Tile& t : triangles_) mesh.add_face(t);
+  for (const Tile& t : triangles_) mesh.add_face(Tile{first[t[0]], first[t[1]], first[t[2]]});
   LeafOptions options;
   options.find_crossings = false;
   LeafResult result = make_leaf(mesh, std::move(exact), options, context);
   if (result.diagnosis.not_finite.count != 0) throw InputError("sums of coordinates leave the range of doubles");
   if (!result.leaf) throw InternalError("a convolution is not closed");
-  return result.leaf->tiles.empty() ? nullptr : result.leaf;
+  return result.leaf;
 }
 
 }  // namespace quoin

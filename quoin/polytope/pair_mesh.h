@@ -24,13 +24,13 @@ class PairMesh {
   /// `count` times, turned over where it is negative.
   void add(const std::array<Corner, 3>& corners, int count);
 
-  /// As a closed surface: corners in one place are one vertex, triangles that cancel are gone, those without area are
-  /// healed away. Null if nothing is left. O(n log n). @throws InputError where a sum leaves the range of doubles
+  /// As a closed surface: corners in one place are one vertex, triangles without area are healed away. Two in one place
+  /// that face each other both stay: they do not wind, but may be the boundary of the sum. O(n log n).
+  /// @throws InputError where a sum leaves the range of doubles
   std::shared_ptr<const Leaf> leaf(const TiledSurface& a, const TiledSurface& b, const Context& context);
 
  private:
   std::uint32_t vertex(const Corner& corner);
-  void cancel();
 
   std::unordered_map<std::uint64_t, std::uint32_t> number_;
   std::vector<Corner> vertices_;

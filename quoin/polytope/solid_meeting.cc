@@ -13,10 +13,6 @@ namespace quoin {
 
 namespace {
 
-RationalPoint3 vertex_of(const Leaf& leaf, std::uint32_t v) {
-  return leaf.exact_vertices.empty() ? exact_point(leaf.vertices[v]) : leaf.exact_vertices[v];
-}
-
 /// Those that are corners of tiles, as other points may only span planes; counted from `first`.
 void append_corners(const Leaf& leaf, std::uint32_t first, std::vector<std::uint32_t>& out) {
   std::vector<bool> is_corner(leaf.vertices.size(), false);
@@ -43,7 +39,7 @@ SolidMeeting::SolidMeeting(const Brep& a, SharedLeaf leaf_of_a, const Brep& b, S
 
 bool SolidMeeting::is_inside(const SolidLocator& locator, const Leaf& leaf, std::uint32_t vertex,
                              const RationalPoint3& t) const {
-  return locator.locate(t - vertex_of(leaf, vertex)).place == Place::in;
+  return locator.locate(t - leaf.exact(vertex)).place == Place::in;
 }
 
 bool SolidMeeting::has_vertex_inside(const RationalPoint3& t) {

@@ -1,34 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "quoin/polytope/solid_penetration.h"
 
-#include <array>
-#include <vector>
-
 #include "quoin/base/error.h"
 #include "quoin/polytope/solid_sum.h"
 #include "quoin/solid/nearest_tile.h"
 #include "quoin/solid/placement.h"
-#include "quoin/solid/query/point_location.h"
 
 namespace quoin {
 
 namespace {
-
-RationalPoint3 vertex_of(const Leaf& leaf, std::uint32_t v) {
-  return leaf.exact_vertices.empty() ? exact_point(leaf.vertices[v]) : leaf.exact_vertices[v];
-}
-
-Constructions table_of(const Leaf& leaf) {
-  return leaf.exact_vertices.empty() ? Constructions(leaf.vertices) : Constructions(leaf.exact_vertices);
-}
-
-std::vector<std::array<PointId, 3>> corners_of(const Leaf& leaf) {
-  std::vector<std::array<PointId, 3>> corners;
-  for (const Tile& t : leaf.tiles) {
-    corners.push_back({PointId{std::size_t{t[0]}}, PointId{std::size_t{t[1]}}, PointId{std::size_t{t[2]}}});
-  }
-  return corners;
-}
 
 /// Where a ray passes the plane of a closed triangle within it.
 std::optional<Rational> passage(const std::array<RationalPoint3, 3>& t, const RationalPoint3& from,
@@ -49,31 +29,33 @@ std::optional<Rational> passage(const std::array<RationalPoint3, 3>& t, const Ra
 
 SolidPenetration::SolidPenetration(const Solid& first, const Solid& second, const Context& context)
     : sum_(minkowski_sum(second, reflected(first, {}, context), context)) {
-  if (!sum_.is_empty()) surface_ = leaf_of(sum_, "the sum", context);
+  if (sum_.is_empty()) return;
+  const auto leaf = leaf_of(sum_, "the sum", context);
+  points_ = leaf->exact_vertices.empty() ? Constructions(leaf->vertices) : Constructions(leaf->exact_vertices);
+  for (const Tile& t : leaf->tiles)
+    tiles_.push_back({PointId{std::size_t{t[0]}}, PointId{std::size_t{t[1]}}, PointId{std::size_t{t[2]}}});
+  locator_ = std::make_unique<const SolidLocator>(sum_.boundary(), context);
 }
 
-bool SolidPenetration::is_inside(const RationalPoint3& translation, const Context& context) const {
-  return surface_ != nullptr && SolidLocator(sum_.boundary(), context).locate(translation).place == Place::in;
+bool SolidPenetration::is_inside(const RationalPoint3& translation) const {
+  return locator_ != nullptr && locator_->locate(translation).place == Place::in;
 }
 
 std::optional<SolidPenetration::Shortest> SolidPenetration::shortest(const RationalPoint3& translation,
                                                                      const Context& context) const {
-  if (!is_inside(translation, context)) return std::nullopt;
-  const auto nearest =
-      nearest_point(translation, table_of(*surface_), corners_of(*surface_), TouchingTiles::count, context);
+  if (!is_inside(translation)) return std::nullopt;
+  const auto nearest = nearest_point(translation, points_, tiles_, TouchingTiles::count, context);
   return Shortest{nearest->squared_distance, nearest->point - translation};
 }
 
 Rational SolidPenetration::along(const RationalPoint3& translation, const RationalPoint3& direction,
                                  const Context& context) const {
   if (direction == RationalPoint3{}) throw InputError("the direction is zero");
-  if (!is_inside(translation, context)) return Rational(0);
+  if (!is_inside(translation)) return Rational(0);
   std::optional<Rational> first;
-  for (const Tile& tile : surface_->tiles) {
+  for (const auto& [a, b, c] : tiles_) {
     context.poll();
-    const auto at =
-        passage({vertex_of(*surface_, tile[0]), vertex_of(*surface_, tile[1]), vertex_of(*surface_, tile[2])},
-                translation, direction);
+    const auto at = passage({points_.exact(a), points_.exact(b), points_.exact(c)}, translation, direction);
     if (at && (!first || *at < *first)) first = at;
   }
   if (!first) throw InternalError("a ray does not leave a bounded set");

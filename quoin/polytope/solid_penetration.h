@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <memory>
 #include <optional>
+#include <vector>
 
 #include "quoin/base/context.h"
+#include "quoin/kernel/constructions.h"
+#include "quoin/solid/query/point_location.h"
 #include "quoin/solid/solid.h"
 
 namespace quoin {
@@ -29,10 +34,12 @@ class SolidPenetration {
   Rational along(const RationalPoint3& translation, const RationalPoint3& direction, const Context& context) const;
 
  private:
-  bool is_inside(const RationalPoint3& translation, const Context& context) const;
+  bool is_inside(const RationalPoint3& translation) const;
 
   Solid sum_;
-  std::shared_ptr<const Leaf> surface_;  // null of an empty sum
+  Constructions points_{std::vector<Point3>{}};
+  std::vector<std::array<PointId, 3>> tiles_;
+  std::unique_ptr<const SolidLocator> locator_;  // none of an empty sum
 };
 
 }  // namespace quoin

@@ -257,6 +257,26 @@ TEST(Erosion, IsTheSetOfPlacesWhereTheToolFits) {
   EXPECT_THROW(erosion(~cube(2), cube(1), one_thread), InputError);
 }
 
+TEST(Erosion, OfSizesBeyondSinglePrecision) {
+  const Solid rod = box({0, 0, 0}, {1e39, 1, 1});
+  const double tiny = 0x1p-100;
+  const Rational less = Rational(1) - Rational(tiny);
+  EXPECT_EQ(volume_of(erosion(rod, box({0, 0, 0}, {tiny, tiny, tiny}), one_thread)),
+            (Rational(1e39) - Rational(tiny)) * less * less);
+  const Solid cube = box({0, 0, 0}, {0x1p70, 0x1p70, 0x1p70});
+  const Rational side = Rational(0x1p70) - Rational(1);
+  EXPECT_EQ(volume_of(erosion(cube, box({-3, 5, 0}, {-2, 6, 1}), one_thread)), side * side * side);
+}
+
+/// Of a tool in parts that are far from each other, all have to fit.
+TEST(Erosion, ByAToolInParts) {
+  const Solid rooms = box({0, 0, 0}, {3, 3, 3}) | box({10, 0, 0}, {13, 3, 3});
+  const Solid tool = box({0, 0, 0}, {1, 1, 1}) | box({10, 0, 0}, {12, 1, 1});
+  const Solid places = erosion(rooms, tool, one_thread);
+  expect_same_set(places, box({0, 0, 0}, {1, 2, 2}));
+  EXPECT_TRUE(erosion(box({0, 0, 0}, {3, 3, 3}), tool, one_thread).is_empty());
+}
+
 TEST(Erosion, AgreesWithPlacingTheToolAtSamplePoints) {
   int inside = 0;
   for (std::uint64_t seed = 0; seed < test_rounds(20U); ++seed) {

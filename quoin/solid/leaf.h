@@ -76,6 +76,10 @@ struct Leaf {
   std::string name;
 
   static constexpr std::uint32_t no_twin = 0xFFFFFFFFU;
+
+  RationalPoint3 exact(std::uint32_t vertex) const {
+    return exact_vertices.empty() ? exact_point(vertices[vertex]) : exact_vertices[vertex];
+  }
 };
 
 struct LeafOptions {

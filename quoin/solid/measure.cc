@@ -212,4 +212,20 @@ std::optional<Bounds> bounds(const Brep& boundary) {
   return box;
 }
 
+bool ExactBox::contains(const RationalPoint3& p) const {
+  return lo.x <= p.x && p.x <= hi.x && lo.y <= p.y && p.y <= hi.y && lo.z <= p.z && p.z <= hi.z;
+}
+
+void ExactBox::extend(const RationalPoint3& p) {
+  lo = {std::min(lo.x, p.x), std::min(lo.y, p.y), std::min(lo.z, p.z)};
+  hi = {std::max(hi.x, p.x), std::max(hi.y, p.y), std::max(hi.z, p.z)};
+}
+
+ExactBox exact_bounds(const Brep& boundary) {
+  const RationalPoint3 first = boundary.points.exact(boundary.loop_vertices[0]);
+  ExactBox box{first, first};
+  for (const PointId v : boundary.loop_vertices) box.extend(boundary.points.exact(v));
+  return box;
+}
+
 }  // namespace quoin

@@ -37,4 +37,17 @@ struct Bounds {
 };
 std::optional<Bounds> bounds(const Brep& boundary);
 
+/// The same, exact. There is a face.
+struct ExactBox {
+  RationalPoint3 lo;
+  RationalPoint3 hi;
+
+  /// Larger by `margin` on all sides, in each coordinate.
+  ExactBox grown(const RationalPoint3& margin) const { return {lo - margin, hi + margin}; }
+  ExactBox moved(const RationalPoint3& by) const { return {lo + by, hi + by}; }
+  bool contains(const RationalPoint3& p) const;
+  void extend(const RationalPoint3& p);
+};
+ExactBox exact_bounds(const Brep& boundary);
+
 }  // namespace quoin

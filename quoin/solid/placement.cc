@@ -23,7 +23,7 @@ std::shared_ptr<const Leaf> placed(const Leaf& leaf, const RationalPoint3& by, T
   std::vector<RationalPoint3> exact;
   bool are_doubles = true;
   for (std::uint32_t v = 0; v < leaf.vertices.size(); ++v) {
-    const RationalPoint3 p = leaf.exact_vertices.empty() ? exact_point(leaf.vertices[v]) : leaf.exact_vertices[v];
+    const RationalPoint3 p = leaf.exact(v);
     exact.push_back(turn == Turn::over ? by - p : by + p);
     const RationalPoint3& q = exact.back();
     mesh.vertices.push_back({q.x.to_double(), q.y.to_double(), q.z.to_double()});
