@@ -72,13 +72,6 @@ std::vector<std::string> lines_of(const std::vector<RepairChange>& changes) {
   return lines;
 }
 
-Solid solid_of_repaired(const Input& input, std::shared_ptr<const Leaf> leaf, const Context& context) {
-  const Brep* exact = std::get_if<Brep>(&input);
-  if (exact == nullptr || !exact->is_unbounded) return Solid::from_leaf(std::move(leaf), context);
-  const Solid operand = Solid::of_complement(std::move(leaf));
-  return Solid::evaluate(Expression::leaf(0), {&operand, 1}, context);
-}
-
 }  // namespace
 
 int run_boolean(const Options& options, const Context& context) {
@@ -123,7 +116,7 @@ int run_repair(const Options& options, const Context& context) {
   warnings.insert(warnings.end(), changes.begin(), changes.end());
   for (const std::string& line : repaired.findings) warnings.push_back(shown(name) + ": " + line);
   const Json details{{"repairs", as_json(repaired.changes)}, {"diagnosis", as_json(repaired.leaf.diagnosis)}};
-  const Solid result = solid_of_repaired(input, std::move(repaired.leaf.leaf), context);
+  const Solid result = solid_of_leaf(input, std::move(repaired.leaf.leaf), context);
   return finish({result.boundary(), title_of(name), std::move(warnings), start, details}, options, context);
 }
 

@@ -91,7 +91,7 @@ int run_gaussian_map(const Options& options, const Context& context) {
   require_pictures(options);
   std::vector<std::string> warnings;
   const std::string& name = options.inputs[0];
-  const Polytope p = polytope_of(read_polytope(name, options, warnings, context), name, context);
+  const Polytope p = read_polytope(name, options, warnings, context);
   if (options.cube && p.dimension() < 2)
     throw InputError(shown(name) + ": a point or a segment has no map on the cube");
   return options.cube ? report_on_cube(p, warnings, options, context) : report_on_sphere(p, warnings, options, context);

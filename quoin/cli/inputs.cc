@@ -108,6 +108,17 @@ LeafResult make_leaf(const Input& input, const std::string& name, const Context&
   return quoin::make_leaf(std::get<Brep>(input), std::filesystem::path(shown(name)).stem().string(), {}, context);
 }
 
+Solid solid_of_leaf(const Input& input, std::shared_ptr<const Leaf> leaf, const Context& context) {
+  if (!is_unbounded(input)) return Solid::from_leaf(std::move(leaf), context);
+  const Solid operand = Solid::of_complement(std::move(leaf));
+  return Solid::evaluate(Expression::leaf(0), {&operand, 1}, context);
+}
+
+Solid solid_of_input(const Input& input, const std::string& name, std::vector<std::string>& warnings,
+                     const Context& context) {
+  return solid_of_leaf(input, accept(name, input, make_leaf(input, name, context), warnings), context);
+}
+
 std::vector<std::string> describe(const Input& input, const MeshDiagnosis& diagnosis) {
   return std::holds_alternative<Mesh>(input) ? describe(diagnosis) : describe_boundary(diagnosis);
 }

@@ -28,6 +28,14 @@ Input input_of_bytes(const std::string& bytes, const std::string& name, const Op
 /// An input as an operand, or why it is none.
 LeafResult make_leaf(const Input& input, const std::string& name, const Context& context);
 
+/// The solid of an input's leaf, evaluated; exact text may be of an unbounded one.
+Solid solid_of_leaf(const Input& input, std::shared_ptr<const Leaf> leaf, const Context& context);
+
+/// The solid that an input bounds, evaluated; the findings of its diagnosis go to `warnings`.
+/// @throws InputError with the diagnosis when it does not bound a solid
+Solid solid_of_input(const Input& input, const std::string& name, std::vector<std::string>& warnings,
+                     const Context& context);
+
 /// What a diagnosis of this input finds, a line each.
 std::vector<std::string> describe(const Input& input, const MeshDiagnosis& diagnosis);
 

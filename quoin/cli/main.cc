@@ -48,7 +48,7 @@ int run(const Options& options) {
                                                {"section", run_section},
                                                {"interfere", run_interfere},
                                                {"hull", run_hull},
-                                               {"minkowski", run_solid_sum},
+                                               {"minkowski", run_minkowski_sum},
                                                {"erode", run_erosion},
                                                {"decompose", run_decomposition},
                                                {"distance", run_distance},

@@ -5,7 +5,7 @@
 #include <type_traits>
 
 #include "quoin/base/error.h"
-#include "quoin/cli/inputs.h"
+#include "quoin/polytope/convex_pieces.h"
 #include "quoin/polytope/notches.h"
 
 namespace quoin::cli {
@@ -40,6 +40,13 @@ InputPoints vertices_of(const Input& input, const std::string& name) {
   return vertices_of(boundary);
 }
 
+std::vector<RationalPoint3> as_rationals(const InputPoints& points) {
+  if (const auto* rationals = std::get_if<std::vector<RationalPoint3>>(&points)) return *rationals;
+  std::vector<RationalPoint3> result;
+  for (const Point3& p : std::get<std::vector<Point3>>(points)) result.push_back(exact_point(p));
+  return result;
+}
+
 void append(InputPoints& points, InputPoints more) {
   if (!std::holds_alternative<std::vector<Point3>>(points) || !std::holds_alternative<std::vector<Point3>>(more)) {
     points = as_rationals(points);
@@ -58,7 +65,9 @@ std::string text_of(const RationalPoint3& p) {
 }
 
 void require_convex(const Brep& boundary, const std::string& name, const Context& context) {
-  if (boundary.component_count > 1 || boundary.shells.size() > 1) {
+  if (boundary.is_unbounded) throw InputError(shown(name) + ": the solid is unbounded");
+  if (boundary.shells.empty()) throw InputError(shown(name) + ": the solid is empty");
+  if (boundary.shells.size() > 1) {
     throw InputError(shown(name) + ": not convex: its boundary has " + std::to_string(boundary.shells.size()) +
                      " parts");
   }
@@ -72,13 +81,6 @@ void require_convex(const Brep& boundary, const std::string& name, const Context
 
 }  // namespace
 
-std::vector<RationalPoint3> as_rationals(const InputPoints& points) {
-  if (const auto* rationals = std::get_if<std::vector<RationalPoint3>>(&points)) return *rationals;
-  std::vector<RationalPoint3> result;
-  for (const Point3& p : std::get<std::vector<Point3>>(points)) result.push_back(exact_point(p));
-  return result;
-}
-
 InputPoints read_vertices(std::span<const std::string> names, const Options& options,
                           std::vector<std::string>& warnings, const Context& context) {
   InputPoints points;
@@ -88,19 +90,9 @@ InputPoints read_vertices(std::span<const std::string> names, const Options& opt
   return points;
 }
 
-InputPoints read_polytope(const std::string& name, const Options& options, std::vector<std::string>& warnings,
-                          const Context& context) {
-  const Input input = read_input(name, options, warnings, context);
+bool has_points_only(const Input& input) {
   const Mesh* mesh = std::get_if<Mesh>(&input);
-  if (mesh != nullptr && mesh->face_count() == 0) return mesh->vertices;
-  const LeafResult leaf = make_leaf(input, name, context);
-  if (!leaf.leaf) throw InputError(refusal(name, "does not bound a solid", describe(input, leaf.diagnosis)));
-  if (mesh == nullptr) {
-    require_convex(std::get<Brep>(input), name, context);
-  } else {
-    require_convex(Solid::from_leaf(leaf.leaf, context).boundary(), name, context);
-  }
-  return vertices_of(input, name);
+  return mesh != nullptr && mesh->face_count() == 0 && !mesh->vertices.empty();
 }
 
 Polytope polytope_of(const InputPoints& points, const std::string& name, const Context& context) {
@@ -109,6 +101,15 @@ Polytope polytope_of(const InputPoints& points, const std::string& name, const C
   } catch (const InputError& error) {
     throw InputError(shown(name) + ": " + error.what());
   }
+}
+
+Polytope read_polytope(const std::string& name, const Options& options, std::vector<std::string>& warnings,
+                       const Context& context) {
+  const Input input = read_input(name, options, warnings, context);
+  if (has_points_only(input)) return polytope_of(std::get<Mesh>(input).vertices, name, context);
+  const Solid solid = solid_of_input(input, name, warnings, context);
+  require_convex(solid.boundary(), name, context);
+  return hull_of_boundary(solid.boundary(), context);
 }
 
 }  // namespace quoin::cli

@@ -138,8 +138,7 @@ int run_distance(const Options& options, const Context& context) {
 
 int run_width(const Options& options, const Context& context) {
   std::vector<std::string> warnings;
-  const Polytope p =
-      polytope_of(read_polytope(options.inputs[0], options, warnings, context), options.inputs[0], context);
+  const Polytope p = read_polytope(options.inputs[0], options, warnings, context);
   const PolytopeWidth w = polytope_width(p, context);
   const PolytopeDiameter diameter = polytope_diameter(p, context);
   const auto points_of = [&](std::span<const std::uint32_t> vertices) {

@@ -14,22 +14,6 @@
 
 namespace quoin::cli {
 
-namespace {
-
-Solid solid_of(const Input& input, const std::string& name, std::vector<std::string>& warnings,
-               const Context& context) {
-  LeafResult leaf = make_leaf(input, name, context);
-  const std::vector<std::string> findings = describe(input, leaf.diagnosis);
-  if (!leaf.leaf) throw InputError(refusal(name, "does not bound a solid", findings));
-  for (const std::string& line : findings) warnings.push_back(shown(name) + ": " + line);
-  const Brep* exact = std::get_if<Brep>(&input);
-  if (exact == nullptr || !exact->is_unbounded) return Solid::from_leaf(std::move(leaf.leaf), context);
-  const Solid operand = Solid::of_complement(std::move(leaf.leaf));
-  return Solid::evaluate(Expression::leaf(0), {&operand, 1}, context);
-}
-
-}  // namespace
-
 ProximityOperand read_proximity_operand(const std::string& name, const Options& options,
                                         std::vector<std::string>& warnings, const Context& context) {
   ProximityOperand result{name, std::nullopt, nullptr, std::nullopt};
@@ -43,7 +27,7 @@ ProximityOperand read_proximity_operand(const std::string& name, const Options& 
     }
     return result;
   }
-  const Solid solid = solid_of(input, name, warnings, context);
+  const Solid solid = solid_of_input(input, name, warnings, context);
   if (solid.is_empty()) throw InputError(shown(name) + ": an empty solid has no distance from another");
   result.solid = solid;
   result.boundary = solid.shared_boundary();

@@ -1,15 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <optional>
+#include <span>
+#include <utility>
 #include <variant>
 
 #include "quoin/base/error.h"
 #include "quoin/cli/commands.h"
 #include "quoin/cli/failure.h"
 #include "quoin/cli/inputs.h"
+#include "quoin/cli/polytope_inputs.h"
+#include "quoin/cli/polytope_report.h"
 #include "quoin/cli/reporting.h"
 #include "quoin/cli/streams.h"
 #include "quoin/polytope/ball.h"
+#include "quoin/polytope/convex_boundary.h"
+#include "quoin/polytope/convex_pieces.h"
+#include "quoin/polytope/minkowski_sum.h"
 #include "quoin/polytope/notches.h"
 #include "quoin/polytope/polytope.h"
 #include "quoin/polytope/solid_sum.h"
@@ -22,39 +29,22 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-bool has_points_only(const Input& input) {
-  const Mesh* mesh = std::get_if<Mesh>(&input);
-  return mesh != nullptr && mesh->face_count() == 0 && !mesh->vertices.empty();
-}
-
-bool is_convex(const Solid& solid, const Context& context) {
-  const Brep& b = solid.boundary();
-  return b.shells.size() == 1 && !b.is_unbounded && find_notches(b, context).empty();
-}
-
 /// An operand of a sum: a solid, or points that mean their hull, which may be flat.
-struct Operand {
-  std::optional<Solid> solid;
-  std::optional<Polytope> hull;
-  bool is_convex() const { return hull.has_value() || is_convex_solid; }
-  bool is_convex_solid = false;
-};
+using Operand = std::variant<Solid, Polytope>;
 
 Operand read_operand(const std::string& name, const Options& options, std::vector<std::string>& warnings,
                      const Context& context) {
-  Operand operand;
   const Input input = read_input(name, options, warnings, context);
-  if (has_points_only(input)) {
-    operand.hull = Polytope::hull_of(std::get<Mesh>(input).vertices, context);
-    return operand;
-  }
-  LeafResult leaf = make_leaf(input, name, context);
-  if (!leaf.leaf) throw InputError(refusal(name, "bounds no solid", describe(input, leaf.diagnosis)));
-  if (const Brep* exact = std::get_if<Brep>(&input); exact != nullptr && exact->is_unbounded)
-    throw InputError(shown(name) + ": the solid is unbounded");
-  operand.solid = Solid::from_leaf(std::move(leaf.leaf), context);
-  operand.is_convex_solid = is_convex(*operand.solid, context);
-  return operand;
+  if (has_points_only(input)) return polytope_of(std::get<Mesh>(input).vertices, name, context);
+  Solid solid = solid_of_input(input, name, warnings, context);
+  if (solid.boundary().is_unbounded) throw InputError(shown(name) + ": the solid is unbounded");
+  return solid;
+}
+
+bool is_convex(const Operand& operand, const Context& context) {
+  const Solid* solid = std::get_if<Solid>(&operand);
+  if (solid == nullptr) return true;
+  return solid->boundary().shells.size() == 1 && find_notches(solid->boundary(), context).empty();
 }
 
 void require_operands(const Options& options) {
@@ -85,22 +75,47 @@ void announce(const Solid& a, const Solid& b, const Options& options) {
 std::vector<Operand> read_operands(const Options& options, std::vector<std::string>& warnings, const Context& context) {
   std::vector<Operand> operands;
   for (const std::string& name : options.inputs) operands.push_back(read_operand(name, options, warnings, context));
-  if (options.ball) operands.push_back({ball_of(options, context), std::nullopt, true});
+  if (options.ball) operands.emplace_back(ball_of(options, context));
   return operands;
 }
 
 /// Solids first: what they sum to is a solid that polytopes of any dimension are added to.
-Solid sum_of(const std::vector<Operand>& operands, const Options& options, const Context& context) {
+Solid sum_of_solids(const std::vector<Operand>& operands, const Options& options, const Context& context) {
   std::optional<Solid> sum;
   for (const Operand& operand : operands) {
-    if (!operand.solid) continue;
-    if (sum) announce(*sum, *operand.solid, options);
-    sum = sum ? minkowski_sum(*sum, *operand.solid, context) : *operand.solid;
+    const Solid* solid = std::get_if<Solid>(&operand);
+    if (solid == nullptr) continue;
+    if (sum) announce(*sum, *solid, options);
+    sum = sum ? minkowski_sum(*sum, *solid, context) : *solid;
   }
   for (const Operand& operand : operands) {
-    if (operand.hull) sum = minkowski_sum(*sum, *operand.hull, context);
+    if (const Polytope* hull = std::get_if<Polytope>(&operand)) sum = minkowski_sum(*sum, *hull, context);
   }
   return *sum;
+}
+
+std::vector<Polytope> polytopes_of(std::vector<Operand> operands, const Context& context) {
+  std::vector<Polytope> polytopes;
+  for (Operand& operand : operands) {
+    if (const Solid* solid = std::get_if<Solid>(&operand)) {
+      polytopes.push_back(hull_of_boundary(solid->boundary(), context));
+    } else {
+      polytopes.push_back(std::get<Polytope>(std::move(operand)));
+    }
+  }
+  return polytopes;
+}
+
+int finish_polytope_sum(std::span<const Polytope> summands, std::vector<std::string> warnings, Clock::time_point start,
+                        const Options& options, const Context& context) {
+  const PolytopeSumOfMany sum = minkowski_sum(summands, context);
+  Json details{{"dimension", sum.dimension}};
+  details.update(cell_counts(sum.vertex_count(), sum.edge_count(), sum.facet_count()));
+  if (sum.dimension < 3)
+    return report_flat(sum.dimension, "the sum is", std::move(details), std::move(warnings), options);
+  const Brep boundary = convex_boundary(exact_vertices(sum, summands), sum.corners, sum.facet_begin, "sum");
+  details["volume"] = rounded_volume(boundary, context);
+  return finish({boundary, "minkowski", std::move(warnings), start, std::move(details)}, options, context);
 }
 
 Json details_of(const Solid& result, const Context& context) {
@@ -114,13 +129,16 @@ Json details_of(const Solid& result, const Context& context) {
 
 }  // namespace
 
-int run_solid_sum(const Options& options, const Context& context) {
+int run_minkowski_sum(const Options& options, const Context& context) {
   require_operands(options);
   const Clock::time_point start = Clock::now();
   std::vector<std::string> warnings;
-  const std::vector<Operand> operands = read_operands(options, warnings, context);
-  if (!options.ball && std::ranges::all_of(operands, &Operand::is_convex)) return run_polytope_sum(options, context);
-  const Solid sum = sum_of(operands, options, context);
+  std::vector<Operand> operands = read_operands(options, warnings, context);
+  if (std::ranges::all_of(operands, [&](const Operand& operand) { return is_convex(operand, context); })) {
+    return finish_polytope_sum(polytopes_of(std::move(operands), context), std::move(warnings), start, options,
+                               context);
+  }
+  const Solid sum = sum_of_solids(operands, options, context);
   return finish({sum.boundary(), "minkowski", std::move(warnings), start, details_of(sum, context)}, options, context);
 }
 
@@ -129,11 +147,12 @@ int run_erosion(const Options& options, const Context& context) {
   const Clock::time_point start = Clock::now();
   std::vector<std::string> warnings;
   const std::vector<Operand> operands = read_operands(options, warnings, context);
-  if (!operands[0].solid) throw InputError(shown(options.inputs[0]) + ": points bound no solid to be eroded");
-  const Solid& solid = *operands[0].solid;
-  if (operands[1].solid) announce(solid, *operands[1].solid, options);
+  const Solid* solid = std::get_if<Solid>(&operands[0]);
+  if (solid == nullptr) throw InputError(shown(options.inputs[0]) + ": points bound no solid to be eroded");
+  const Solid* tool = std::get_if<Solid>(&operands[1]);
+  if (tool != nullptr) announce(*solid, *tool, options);
   const Solid rest =
-      operands[1].solid ? erosion(solid, *operands[1].solid, context) : erosion(solid, *operands[1].hull, context);
+      tool != nullptr ? erosion(*solid, *tool, context) : erosion(*solid, std::get<Polytope>(operands[1]), context);
   return finish({rest.boundary(), "erode", std::move(warnings), start, details_of(rest, context)}, options, context);
 }
 

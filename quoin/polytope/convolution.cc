@@ -45,7 +45,9 @@ class Convolver {
 
  private:
   void add_parallelograms() {
+    std::size_t count = 0;
     for (const ArcCrossing& x : crossings_) {
+      if (++count % 1024 == 0) context_.poll();
       const TiledSurface::Edge& e = a_.edges()[x.a];
       const TiledSurface::Edge& f = b_.edges()[x.b];
       const PairMesh::Corner start{e.tail, f.tail};

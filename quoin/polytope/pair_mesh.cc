@@ -34,10 +34,13 @@ std::optional<std::vector<Point3>> sums_in_doubles(std::span<const PairMesh::Cor
 
 /// For each point the first in the order of coordinates that is equal; `is_less` is that order.
 template <class Point, class IsLess>
-std::vector<std::uint32_t> first_equal(const std::vector<Point>& points, const IsLess& is_less) {
+std::vector<std::uint32_t> first_equal(const std::vector<Point>& points, const IsLess& is_less,
+                                       const Context& context) {
   std::vector<std::uint32_t> order(points.size());
   std::iota(order.begin(), order.end(), 0U);
+  std::size_t comparisons = 0;
   std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
+    if (++comparisons % 4096 == 0) context.poll();
     if (is_less(points[i], points[j])) return true;
     return !is_less(points[j], points[i]) && i < j;
   });
@@ -78,14 +81,15 @@ std::shared_ptr<const Leaf> PairMesh::leaf(const TiledSurface& a, const TiledSur
   std::vector<std::uint32_t> first;
   if (auto sums = sums_in_doubles(vertices_, a, b)) {
     mesh.vertices = std::move(*sums);
-    first = first_equal(mesh.vertices, comes_before<Point3>);
+    first = first_equal(mesh.vertices, comes_before<Point3>, context);
   } else {
     for (const Corner& c : vertices_) {
+      if (exact.size() % 256 == 0) context.poll();
       exact.push_back(a.exact(c.a) + b.exact(c.b));
       const RationalPoint3& p = exact.back();
       mesh.vertices.push_back({p.x.to_double(), p.y.to_double(), p.z.to_double()});
     }
-    first = first_equal(exact, comes_before<RationalPoint3>);
+    first = first_equal(exact, comes_before<RationalPoint3>, context);
   }
   for (const Tile& t : triangles_) mesh.add_face(Tile{first[t[0]], first[t[1]], first[t[2]]});
   LeafOptions options;

@@ -16,7 +16,8 @@ namespace quoin {
 /// sum, those of winding number zero do where the first meets the second one reflected and placed at a point of them.
 /// O(edges of a times edges of b), and that of an overlay of the convolution's triangles.
 /// Source: Guibas, Ramshaw and Stolfi 1983; that winding numbers alone do not tell: Schapira 1991.
-/// @throws InputError  a set is unbounded, or sums leave the range of doubles; Cancelled
+/// @throws InputError  a set is unbounded, or a coordinate on the way (of a sum, or of one solid reflected and placed
+/// where the other is) leaves the range of doubles; Cancelled
 Solid minkowski_sum(const Solid& a, const Solid& b, const Context& context);
 
 /// The erosion of a by b: all translations that place b inside a. It is what the sum of the complement of a and b

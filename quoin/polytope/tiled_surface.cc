@@ -51,7 +51,7 @@ TiledSurface::TiledSurface(const Leaf& leaf) : points_(leaf.vertices), exact_(le
 Vector3 TiledSurface::rounded_vector(std::uint32_t from, std::uint32_t to) const {
   if (exact_.empty()) return rounded(EdgeVector{points_[from], points_[to]});
   const RationalPoint3 v = exact_[to] - exact_[from];
-  return {v.x.to_double(), v.y.to_double(), v.z.to_double()};
+  return rounded(edge_vector(v));
 }
 
 /// Of edges with more than two tiles, each that runs from the smaller to the larger end with the one that comes first

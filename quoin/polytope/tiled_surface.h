@@ -27,7 +27,7 @@ class TiledSurface {
     std::uint32_t twin;      ///< back, on the right side
     std::uint32_t tail;
     std::uint32_t head;
-    Vector3 vector;  ///< from tail to head, each component within 2^-53 of itself
+    Vector3 vector;  ///< from tail to head, as `rounded` (edge_predicates.h) does
     int sign;        ///< 1 convex (or folded back), -1 reflex, 0 flat
   };
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <queue>
 #include <utility>
 
 #include "quoin/base/disjoint_sets.h"
@@ -174,14 +175,19 @@ class TileMaker {
   }
 
   // A triangle a, b, c with b between a and c is dropped; the tile on the other side of its long edge is split at b
-  // instead, so that edges stay matched. That tile may be a sliver too; each step uses one up.
+  // instead, so that edges stay matched. That tile may be a sliver too. The longest sliver comes first, so that such a
+  // neighbour lies between a and c and leaves two that are shorter: the number of steps is finite.
   void heal_slivers() {
     join_equal_corners();
+    rank_vertices();
     for (std::uint32_t t = 0; t < out_.tiles.size(); ++t) index_tile(t);
-    for (std::size_t s = 0; s < slivers_.size(); ++s) sliver_alive_.push_back(true);
-    for (std::uint32_t s = 0; s < slivers_.size(); ++s) index_sliver(s);
-    for (std::uint32_t s = 0; s < slivers_.size(); ++s) {
-      if (s % 256 == 0) context_.poll();
+    std::vector<Sliver> slivers;
+    slivers.swap(slivers_);
+    for (const Sliver& s : slivers) add_sliver(s.tile, s.face);
+    for (std::size_t step = 0; !longest_slivers_.empty(); ++step) {
+      if (step % 256 == 0) context_.poll();
+      const std::uint32_t s = longest_slivers_.top().second;
+      longest_slivers_.pop();
       if (!sliver_alive_[s]) continue;
       sliver_alive_[s] = false;
       const Tile t = slivers_[s].tile;
@@ -190,25 +196,31 @@ class TileMaker {
     }
   }
 
+  // The order of all points by x, y, z is on any line the order along it: of two slivers on a line, one within the
+  // other spans no more ranks.
+  void rank_vertices() {
+    std::vector<std::uint32_t> order;
+    for (const Sliver& s : slivers_) order.insert(order.end(), s.tile.begin(), s.tile.end());
+    std::ranges::sort(order);
+    order.erase(std::unique(order.begin(), order.end()), order.end());
+    std::ranges::sort(order, [&](std::uint32_t p, std::uint32_t q) {
+      const Sign sign = points_.compare_lexicographically(PointId{p}, PointId{q});
+      return sign == Sign::zero ? p < q : sign == Sign::negative;
+    });
+    rank_.resize(mesh_.vertices.size());
+    for (std::uint32_t i = 0; i < order.size(); ++i) rank_[order[i]] = i;
+  }
+
   void index_tile(std::uint32_t t) {
     for (std::size_t k = 0; k < 3; ++k) tile_at_[{out_.tiles[t][k], out_.tiles[t][(k + 1) % 3]}].push_back(t);
   }
 
-  void index_sliver(std::uint32_t s) {
-    for (std::size_t k = 0; k < 3; ++k) sliver_at_[{slivers_[s].tile[k], slivers_[s].tile[(k + 1) % 3]}].push_back(s);
-  }
-
   std::size_t middle_corner(const Tile& t) const {
-    for (std::size_t k = 0; k < 3; ++k) {
-      bool between = true;
-      for (unsigned axis = 0; axis < 3; ++axis) {
-        const Sign before = points_.compare(PointId{t[(k + 2) % 3]}, PointId{t[k]}, axis);
-        const Sign after = points_.compare(PointId{t[k]}, PointId{t[(k + 1) % 3]}, axis);
-        between = between && before * after != Sign::negative;
-      }
-      if (between) return k;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const bool is_after = rank_[t[k]] > rank_[t[(k + 1) % 3]];
+      if (is_after != (rank_[t[k]] > rank_[t[(k + 2) % 3]])) return k;
     }
-    return 0;
+    return 2;
   }
 
   // The sliver had the edge c -> a and the middle b; its neighbour there runs a -> c.
@@ -242,9 +254,12 @@ class TileMaker {
   }
 
   void add_sliver(const Tile& t, std::uint32_t face) {
+    const auto s = static_cast<std::uint32_t>(slivers_.size());
     slivers_.push_back({t, face});
     sliver_alive_.push_back(true);
-    index_sliver(static_cast<std::uint32_t>(slivers_.size() - 1));
+    for (std::size_t k = 0; k < 3; ++k) sliver_at_[{t[k], t[(k + 1) % 3]}].push_back(s);
+    const auto [first, last] = std::minmax({rank_[t[0]], rank_[t[1]], rank_[t[2]]});
+    longest_slivers_.emplace(last - first, s);
   }
 
   static std::optional<std::size_t> edge_of(const Tile& t, std::uint32_t a, std::uint32_t c) {
@@ -262,6 +277,8 @@ class TileMaker {
   MeshTiles out_;
   std::vector<Sliver> slivers_;
   std::vector<bool> sliver_alive_;
+  std::vector<std::uint32_t> rank_;                                                        // of the vertices of slivers
+  std::priority_queue<std::pair<std::uint32_t, std::uint32_t>> longest_slivers_;           // ranks spanned, sliver
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>> tile_at_;  // by directed edge
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>> sliver_at_;
   std::vector<std::uint32_t> loop_;

@@ -16,9 +16,11 @@ namespace {
 using Corners = std::array<PointId, 3>;
 
 /// Below the distance of a point from the box of a tile, by rounded coordinates. Those of the point and of the corners
-/// err by u of themselves, differences and the root by a few u more; what falls below the range of doubles counts as 0.
+/// err by u of themselves, differences and the root by a few u more; 2^-1000 pays for what falls below the range of
+/// doubles. Where squares would, the largest gap has to do.
 double least_distance(const Point3& p, const Constructions& table, const Corners& corners) {
   double sum = 0;
+  double largest_gap = 0;
   double size = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     double low = table.rounded(corners[0])[axis];
@@ -29,9 +31,11 @@ double least_distance(const Point3& p, const Constructions& table, const Corners
     }
     const double gap = std::max({low - p[axis], p[axis] - high, 0.0});
     sum += gap * gap;
+    largest_gap = std::max(largest_gap, gap);
     size = std::max({size, std::fabs(low), std::fabs(high), std::fabs(p[axis])});
   }
-  const double least = std::sqrt(sum) * (1 - 0x1p-48) - size * 0x1p-48;
+  const double distance = sum > 0x1p-900 ? std::sqrt(sum) : largest_gap;
+  const double least = distance * (1 - 0x1p-48) - size * 0x1p-48 - 0x1p-1000;
   return least > 0 && std::isfinite(least) ? least : 0;
 }
 

@@ -32,7 +32,8 @@ using CellQuestion = std::function<CellVerdict(const RationalPoint3&)>;
 
 /// Boundary of the cells of one leaf's tiles that are of the kind, which is not `outside`, in a set of which two things
 /// are known: points about which the leaf winds are in it, and wherever its boundary is, a tile lies whose normal
-/// points out of it. What that leaves open is asked, once or twice for each such cell. Exact, complexity as
+/// points out of it. What that leaves open is asked, once for each such cell
+/// as far as edges connect its boundary. Exact, complexity as
 /// overlay_boundary, and O(tiles log tiles) for each question.
 Brep winding_boundary(const std::shared_ptr<const Leaf>& leaf, CellVerdict kind, const CellQuestion& question,
                       const Context& context);

@@ -73,77 +73,41 @@ std::vector<int> winding_numbers(const Sheets& sheets, const CellComplex& comple
   return numbers;
 }
 
-/// Kinds of cells and what they imply. Across a patch without a tile whose normal points into a cell, that cell is in
-/// the set if the other is: or the patch would be boundary without a normal that points out.
-class CellKinds {
- public:
-  CellKinds(const Sheets& sheets, const CellComplex& complex, const Walls& walls)
-      : complex_(complex), walls_(walls), is_settled_(complex.cell_count, false), kinds_(complex.cell_count) {
-    for (const Patch& patch : complex.patches) sides_.push_back(sides_of_covers(sheets, patch.sheet));
+/// The cells that are in the set for sure: those with a winding number, and those of number zero beside them without a
+/// tile between them whose normal points there, or the patch would be boundary without a normal that points out.
+/// Between cells of number zero there are tiles of both directions, which tell nothing.
+std::vector<bool> sure_cells(const Sheets& sheets, const CellComplex& complex, const std::vector<int>& numbers) {
+  std::vector<bool> is_sure(complex.cell_count, false);
+  for (std::uint32_t cell = 0; cell < complex.cell_count; ++cell) is_sure[cell] = numbers[cell] != 0;
+  for (const Patch& patch : complex.patches) {
+    const bool has_front = numbers[patch.front] != 0;
+    if (has_front == (numbers[patch.back] != 0)) continue;
+    const CoverSides sides = sides_of_covers(sheets, patch.sheet);
+    if (has_front && !sides.back) is_sure[patch.back] = true;
+    if (!has_front && !sides.front) is_sure[patch.front] = true;
   }
-
-  bool is_settled(std::uint32_t cell) const { return is_settled_[cell]; }
-  CellVerdict kind(std::uint32_t cell) const { return kinds_[cell]; }
-
-  void settle(std::uint32_t cell, CellVerdict kind) {
-    mark(cell, kind);
-    while (!waiting_.empty()) {
-      const std::uint32_t next = waiting_.back();
-      waiting_.pop_back();
-      for (const std::uint32_t wall : walls_.of(next)) spread(next, wall);
-    }
-  }
-
- private:
-  void mark(std::uint32_t cell, CellVerdict kind) {
-    if (is_settled_[cell]) return;
-    is_settled_[cell] = true;
-    kinds_[cell] = kind;
-    waiting_.push_back(cell);
-  }
-
-  void spread(std::uint32_t cell, std::uint32_t wall) {
-    const Patch& patch = complex_.patches[wall];
-    const bool is_front = patch.front == cell;
-    const std::uint32_t other = is_front ? patch.back : patch.front;
-    const bool points_to_other = is_front ? sides_[wall].back : sides_[wall].front;
-    const bool points_here = is_front ? sides_[wall].front : sides_[wall].back;
-    if (kinds_[cell] == CellVerdict::inside) {
-      if (!points_to_other) mark(other, CellVerdict::inside);
-    } else if (!points_here) {
-      mark(other, kinds_[cell]);  // not inside, or this cell would be
-    }
-  }
-
-  const CellComplex& complex_;
-  const Walls& walls_;
-  std::vector<CoverSides> sides_;  // by patch
-  std::vector<bool> is_settled_;
-  std::vector<CellVerdict> kinds_;
-  std::vector<std::uint32_t> waiting_;
-};
+  return is_sure;
+}
 
 }  // namespace
 
 CellTruth classify_winding_cells(const Sheets& sheets, const CellComplex& complex, CellVerdict kind,
                                  const CellQuestion& question, const Context& context) {
   context.progress("winding numbers", 0);
-  const Walls walls(complex);
-  const std::vector<int> numbers = winding_numbers(sheets, complex, walls, context);
-  CellKinds kinds(sheets, complex, walls);
+  const std::vector<int> numbers = winding_numbers(sheets, complex, Walls(complex), context);
+  std::vector<bool> is_settled = sure_cells(sheets, complex, numbers);
+  CellTruth truth;
+  truth.inside.assign(complex.cell_count, 0);
   for (std::uint32_t cell = 0; cell < complex.cell_count; ++cell) {
-    if (numbers[cell] != 0) kinds.settle(cell, CellVerdict::inside);
+    if (is_settled[cell] && kind == CellVerdict::inside) truth.inside[cell] = 1;
   }
   for (const Patch& patch : complex.patches) {
     context.poll();
     for (const std::uint32_t cell : {patch.front, patch.back}) {
-      if (kinds.is_settled(cell)) continue;
-      kinds.settle(cell, question(point_near_sheet(sheets, patch.sheet, cell == patch.front, context)));
+      if (is_settled[cell]) continue;
+      is_settled[cell] = true;
+      if (question(point_near_sheet(sheets, patch.sheet, cell == patch.front, context)) == kind) truth.inside[cell] = 1;
     }
-  }
-  CellTruth truth;
-  for (std::uint32_t cell = 0; cell < complex.cell_count; ++cell) {
-    truth.inside.push_back(kinds.is_settled(cell) && kinds.kind(cell) == kind ? 1 : 0);
   }
   return truth;
 }
