@@ -63,16 +63,20 @@ Candidates contact_candidates(const PairRegions& pairs, std::size_t most, const 
   for (std::int64_t axis = 0; axis < 3; ++axis) {
     add(std::array<std::int64_t, 3>{axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0});
   }
+  const auto keep_simplest = [&] {
+    sort_and_merge(directions);
+    if (directions.size() > most)
+      directions.erase(directions.begin() + static_cast<std::ptrdiff_t>(most), directions.end());
+  };
   for (const PartPair& pair : pairs.pairs) {
+    context.poll();
     for (const ConvexRegion& region : pair.contacts) {
       for (const RegionDirection& normal : region.normals) add(normal.exact());
       for (const RegionDirection& corner : region.corners) add(corner.exact());
     }
-    if (directions.size() > 16 * most) sort_and_merge(directions);
+    if (directions.size() > 16 * most) keep_simplest();
   }
-  sort_and_merge(directions);
-  if (directions.size() > most)
-    directions.erase(directions.begin() + static_cast<std::ptrdiff_t>(most), directions.end());
+  keep_simplest();
   return candidates_in(pairs, std::move(directions), context);
 }
 

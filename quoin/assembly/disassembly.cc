@@ -144,16 +144,19 @@ class Disassembler {
     PartitionOptions options;
     options.prune = true;
     options.announce = options_.announce;
+    const auto in_assembly = [&](const PartSet& movable) {
+      PartSet moving(pairs_.part_count);
+      for (const std::uint32_t member : movable.members()) moving.insert(members[member]);
+      return moving;
+    };
+    // Before they are counted: what is kept of very many must hold one if there is one.
+    options.counts = [&](const PartSet& movable) { return is_allowed(in_assembly(movable)); };
     PhaseTimes times;
     const Partition found = partition(pairs, options, times, context_);
     has_all = has_all && found.has_all;
     MoveList moves(parts, options_.max_alternatives);
     for (const Solution& solution : found.solutions) {
-      for (const PartSet& movable : solution.movable) {
-        PartSet moving(pairs_.part_count);
-        for (const std::uint32_t member : movable.members()) moving.insert(members[member]);
-        if (is_allowed(moving)) moves.add(std::move(moving), solution.direction);
-      }
+      for (const PartSet& movable : solution.movable) moves.add(in_assembly(movable), solution.direction);
     }
     return moves.take(has_all);
   }

@@ -5,20 +5,18 @@
 #include <vector>
 
 #include "quoin/assembly/motion_space.h"
-#include "quoin/number/rational.h"
+#include "quoin/kernel/rational_point.h"
 
 namespace quoin {
 
 namespace {
 
-using Rationals = std::array<Rational, 3>;
-
-Rationals rationals_of(const SphereDirection& d) {
+RationalPoint3 rational_vector(const SphereDirection& d) {
   return {Rational(d.integer(0)), Rational(d.integer(1)), Rational(d.integer(2))};
 }
 
-Rational dot(const Rationals& a, const Rationals& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+SphereDirection direction_along(const RationalPoint3& v) {
+  return std::array{v.x, v.y, v.z};
 }
 
 /// A sum of unit vectors as small integers; zero if they cancel.
@@ -112,13 +110,10 @@ SphereDirection MotionSpace::direction_in_edge(dcel::EdgeId e) const {
   const SphereDirection normal(family.normal(arrangement_.branch(e)));
   if (dot_sign(normal, cross(from, to)) != Sign::positive) return cross(normal, from);
   // Components of like size, so that the direction is not next to one of the ends.
-  Rationals a = rationals_of(from);
-  const Rationals b = rationals_of(to);
   const int shift = static_cast<int>(to.bits()) - static_cast<int>(from.bits());
   const Rational factor = shift >= 0 ? Rational(Integer(1) << static_cast<std::size_t>(shift))
                                      : Rational(Integer(1), Integer(1) << static_cast<std::size_t>(-shift));
-  for (std::size_t axis = 0; axis < 3; ++axis) a[axis] = a[axis] * factor + b[axis];
-  return a;
+  return direction_along(rational_vector(from) * factor + rational_vector(to));
 }
 
 /// A direction on the left of all edges of the boundary is inside: on the way from it to a first edge, nothing of the
@@ -133,19 +128,18 @@ SphereDirection MotionSpace::direction_in_face(dcel::FaceId f) const {
       if (border.surely_holds(candidate)) return candidate;
     }
   }
-  const Rationals start = rationals_of(direction_in_edge(border.first.edge()));
-  const Rationals step = rationals_of(border.inward[0]);
+  const RationalPoint3 start = rational_vector(direction_in_edge(border.first.edge()));
+  const RationalPoint3 step = rational_vector(border.inward[0]);
   Rational reach(1);
   for (const SphereDirection& n : border.inward) {
-    const Rational along = dot(rationals_of(n), step);
+    const Rational along = dot(rational_vector(n), step);
     if (along.sign() == Sign::zero) continue;
-    const Rational at = -dot(rationals_of(n), start) / along;
+    const Rational at = -dot(rational_vector(n), start) / along;
     if (at.sign() == Sign::positive && at < reach) reach = at;
   }
   for (;;) {
     reach /= Rational(2);
-    Rationals result;
-    for (std::size_t axis = 0; axis < 3; ++axis) result[axis] = start[axis] + step[axis] * reach;
+    SphereDirection result = direction_along(start + step * reach);
     if (!border.is_lone(result)) return result;
   }
 }

@@ -69,8 +69,8 @@ struct OverlappingParts {
 ///
 /// Pieces whose boxes are apart, and in directions that others of the pair block already, need no sum; such pairs count
 /// as separated. Pairs of parts run in parallel; the result does not depend on threads. Parts whose interiors meet are
-/// listed in `overlaps`, their regions left empty. Source: Fogel 2009, section 5.3, phases 4 and 5; antisymmetry as
-/// in 5.4.
+/// listed in `overlaps`; what their regions hold means nothing. Source: Fogel 2009, section 5.3, phases 4 and 5;
+/// antisymmetry as in 5.4.
 /// @throws Cancelled
 PairRegions project_pairs(std::span<const AssemblyPart> parts, std::vector<OverlappingParts>& overlaps,
                           PhaseTimes& times, const Context& context);

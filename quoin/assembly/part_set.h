@@ -23,7 +23,6 @@ class PartSet {
 
   bool contains(std::size_t part) const { return (words_[part / 64] >> (part % 64) & 1U) != 0; }
   void insert(std::size_t part) { words_[part / 64] |= std::uint64_t{1} << (part % 64); }
-  void erase(std::size_t part) { words_[part / 64] &= ~(std::uint64_t{1} << (part % 64)); }
   std::size_t count() const {
     std::size_t result = 0;
     for (const std::uint64_t word : words_) result += static_cast<std::size_t>(std::popcount(word));
@@ -37,12 +36,6 @@ class PartSet {
       has_one = true;
     }
     return false;
-  }
-  bool is_empty() const {
-    for (const std::uint64_t word : words_) {
-      if (word != 0) return false;
-    }
-    return true;
   }
   /// Ascending.
   std::vector<std::uint32_t> members() const {
@@ -59,12 +52,6 @@ class PartSet {
     PartSet result(*this);
     for (std::size_t w = 0; w < words_.size(); ++w) result.words_[w] &= ~other.words_[w];
     return result;
-  }
-  bool is_subset_of(const PartSet& other) const {
-    for (std::size_t w = 0; w < words_.size(); ++w) {
-      if ((words_[w] & ~other.words_[w]) != 0) return false;
-    }
-    return true;
   }
 
   std::vector<std::uint64_t>& words() { return words_; }

@@ -26,9 +26,15 @@ Partition solve(const MotionSpace& space, const PartitionOptions& options, const
         if (everything.words().empty()) everything = PartSet::all(graph.part_count());
         if (graph.is_strongly_connected(everything)) return;
         if (within != nullptr && !within->contain(space.direction_in(cell))) return;
+        if (!result.has_all && !options.counts) {
+          ++result.solution_cells;
+          return;
+        }
+        std::vector<PartSet> movable = graph.movable_sets(everything);
+        if (options.counts) std::erase_if(movable, [&](const PartSet& set) { return !options.counts(set); });
+        if (movable.empty()) return;
         ++result.solution_cells;
         if (!result.has_all) return;
-        std::vector<PartSet> movable = graph.movable_sets(everything);
         result.has_all = result.solution_count + movable.size() <= options.max_solutions;
         if (!result.has_all) return;
         result.solution_count += movable.size();

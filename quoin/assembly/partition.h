@@ -38,6 +38,8 @@ struct PartitionOptions {
   bool prune = false;
   /// Called before the overlay of all regions, which may be large; may throw to stop.
   std::function<void(const MotionEstimate&)> announce{};
+  /// Movable sets that count; empty: all do. Cells that have no other are no solutions.
+  std::function<bool(const PartSet&)> counts{};
 };
 
 /// All directions in which an assembly can be taken apart by one translation.

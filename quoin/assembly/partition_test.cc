@@ -231,6 +231,34 @@ TEST(Partition, KeepsNoMoreSolutionsThanAsked) {
   EXPECT_EQ(plan.partition->solution_cells, plan_of(stack(5)).partition->solution_cells);
 }
 
+TEST(Partition, KeepsOnlySetsThatCount) {
+  AssemblyQuestion question;
+  const AssemblyPlan all = analyse_assembly(assembled(stack(4)), question, one_thread);
+  question.partition.counts = [](const PartSet& set) { return set.count() == 1 && !set.contains(0); };
+  for (const std::size_t most : {std::size_t{100'000}, std::size_t{1}}) {
+    question.partition.max_solutions = most;
+    const AssemblyPlan some = analyse_assembly(assembled(stack(4)), question, one_thread);
+    std::size_t cells = 0;
+    std::size_t sets = 0;
+    for (const Solution& solution : all.partition->solutions) {
+      const auto here = static_cast<std::size_t>(std::ranges::count_if(solution.movable, question.partition.counts));
+      cells += here > 0 ? 1 : 0;
+      sets += here;
+    }
+    EXPECT_GT(cells, 1U);
+    EXPECT_LT(cells, all.partition->solution_cells);
+    EXPECT_EQ(some.partition->solution_cells, cells);
+    EXPECT_EQ(some.partition->has_all, most > 1);
+    EXPECT_EQ(some.partition->solution_count == sets, most > 1);
+    EXPECT_LE(some.partition->solution_count, most);
+    for (const Solution& solution : some.partition->solutions) {
+      EXPECT_TRUE(std::ranges::all_of(solution.movable, question.partition.counts));
+    }
+  }
+  question.partition.counts = [](const PartSet& set) { return set.count() > 3; };
+  EXPECT_TRUE(analyse_assembly(assembled(stack(4)), question, one_thread).partition->is_interlocked());
+}
+
 TEST(Partition, AnnouncesWhatItWillCost) {
   AssemblyQuestion question;
   MotionEstimate told;

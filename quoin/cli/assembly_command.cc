@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
-#include <fstream>
 
 #include "quoin/assembly/assembly.h"
 #include "quoin/base/error.h"
@@ -12,6 +11,7 @@
 #include "quoin/cli/failure.h"
 #include "quoin/cli/planar.h"
 #include "quoin/cli/streams.h"
+#include "quoin/cli/target_writing.h"
 #include "quoin/cli/targets.h"
 
 namespace quoin::cli {
@@ -90,16 +90,10 @@ AssemblyQuestion question_of(const Options& options, const std::vector<AssemblyP
   return question;
 }
 
-void write_report(const Json& report, const Target& target) {
-  if (target.is_stream()) {
-    data_stream() << report.dump(2) << "\n";
-    flush_standard_output();
-    return;
-  }
-  std::ofstream file(target.name);
-  if (!file) throw FileError(target.name + ": cannot be opened for writing");
-  file << report.dump(2) << "\n";
-  if (!file.flush()) throw FileError(target.name + ": cannot be written");
+void warn_of_limit(const Partition& found, const std::string& what, std::vector<std::string>& warnings) {
+  if (found.has_all) return;
+  warnings.push_back("not all " + what + " are listed, only " + std::to_string(found.solution_count) +
+                     "; --limit sets how many");
 }
 
 }  // namespace
@@ -110,14 +104,12 @@ int run_assembly(const Options& options, const Context& context) {
   const std::vector<AssemblyPart> parts = read_parts(options, warnings, context);
   announce_sums(parts, options);
   const AssemblyPlan plan = analyse_assembly(parts, question_of(options, parts), context);
-  if (plan.partition && !plan.partition->has_all) {
-    warnings.push_back("not all solutions are listed, only " + std::to_string(plan.partition->solution_count) +
-                       "; --limit sets how many");
-  }
+  if (plan.partition) warn_of_limit(*plan.partition, "solutions", warnings);
+  if (plan.infinitesimal) warn_of_limit(plan.infinitesimal->partition, "sets that can begin to move", warnings);
   Json report = assembly_report(parts, plan);
   for (const Target& target : targets_of(options)) {
     if (target.kind == Target::Kind::report) {
-      write_report(report, target);
+      write_target(target, [&](std::ostream& out) { out << report.dump(2) << "\n"; });
     } else {
       write_assembly_page(parts, plan, target, options, context);
     }

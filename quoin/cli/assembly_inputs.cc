@@ -10,6 +10,7 @@
 #include "quoin/assembly/part_pieces.h"
 #include "quoin/assembly/stopwatch.h"
 #include "quoin/base/error.h"
+#include "quoin/cli/diagnosis.h"
 #include "quoin/cli/inputs.h"
 #include "quoin/io/mesh_objects.h"
 #include "quoin/solid/solid.h"
@@ -20,30 +21,53 @@ namespace {
 
 using Pieces = std::vector<Polytope>;
 
-Pieces pieces_of(const Input& input, const std::string& what, const Context& context) {
-  const LeafResult made = make_leaf(input, what, context);
-  if (!made.leaf) throw InputError(refusal(what, "does not bound a solid", describe(input, made.diagnosis)));
+void add_findings(const std::string& what, const std::vector<std::string>& findings,
+                  std::vector<std::string>& warnings) {
+  for (const std::string& line : findings) warnings.push_back(what + ": " + line);
+}
+
+/// Of an exact boundary in order, as it is; else of what the surface bounds.
+Pieces pieces_of(const Input& input, const std::string& what, std::vector<std::string>& warnings,
+                 const Context& context) {
+  LeafResult made = make_leaf(input, what, context);
+  const std::vector<std::string> findings = describe(input, made.diagnosis);
+  if (!made.leaf) throw InputError(refusal(what, "does not bound a solid", findings));
+  add_findings(what, findings, warnings);
   const Brep* exact = std::get_if<Brep>(&input);
-  if (exact != nullptr) return pieces_of_part(*exact, what, context);
-  return pieces_of_part(Solid::from_leaf(made.leaf, context).boundary(), what, context);
+  if (exact != nullptr && (exact->is_unbounded || findings.empty())) return pieces_of_part(*exact, what, context);
+  return pieces_of_part(Solid::from_leaf(std::move(made.leaf), context).boundary(), what, context);
 }
 
-bool bounds_a_solid(const Mesh& mesh, const Context& context) {
-  const LeafResult made = quoin::make_leaf(mesh, {}, context);
-  return made.leaf != nullptr && !made.leaf->tiles.empty();
+/// A group that is a solid of its own, and what was found in it.
+struct Body {
+  Solid solid;
+  std::vector<std::string> findings;
+};
+
+/// Nothing of a group that is open, bounds nothing or is inside out somewhere, as the wall of a cavity is.
+std::optional<Body> body_of(const Mesh& group, const Context& context) {
+  LeafResult made = quoin::make_leaf(group, {}, context);
+  if (!made.leaf || made.diagnosis.inverted_components.count > 0) return std::nullopt;
+  Solid solid = Solid::from_leaf(std::move(made.leaf), context);
+  if (solid.is_empty()) return std::nullopt;
+  return Body{std::move(solid), describe(made.diagnosis)};
 }
 
-/// Groups that bound no solid each, as those that only name faces, are the surface of one body together.
-Pieces pieces_of(const MeshObject& object, const std::string& what, const Context& context) {
-  const bool are_bodies =
-      std::ranges::all_of(object.groups, [&](const Mesh& group) { return bounds_a_solid(group, context); });
-  Pieces pieces;
-  if (are_bodies) {
-    for (const Mesh& group : object.groups)
-      std::ranges::move(pieces_of(group, what, context), std::back_inserter(pieces));
-    return pieces;
+/// Groups are pieces where each is a body; else, as those that only name faces, the surface of one body together.
+Pieces pieces_of(const MeshObject& object, const std::string& what, std::vector<std::string>& warnings,
+                 const Context& context) {
+  std::vector<Body> bodies;
+  for (const Mesh& group : object.groups) {
+    std::optional<Body> body = body_of(group, context);
+    if (!body) return pieces_of(object.whole, what, warnings, context);
+    bodies.push_back(std::move(*body));
   }
-  return pieces_of(object.whole, what, context);
+  Pieces pieces;
+  for (const Body& body : bodies) {
+    add_findings(what, body.findings, warnings);
+    std::ranges::move(pieces_of_part(body.solid.boundary(), what, context), std::back_inserter(pieces));
+  }
+  return pieces;
 }
 
 /// The objects of an OBJ file that has some; nothing of any other input.
@@ -53,7 +77,7 @@ std::optional<std::vector<MeshObject>> read_objects(const std::string& name, con
   ReadOptions read;
   read.weld_tolerance = options.weld_tolerance;
   const MeshFile file = read_mesh(std::filesystem::path(name), read, context);
-  std::vector<MeshObject> objects = objects_of(file);
+  std::vector<MeshObject> objects = objects_of(file, context);
   if (objects.empty()) return std::nullopt;
   for (const std::string& warning : file.report.warnings) {
     const bool is_kept_here = warning.starts_with("'o' ") || warning.starts_with("'g' ");
@@ -78,12 +102,12 @@ void add_part(const std::string& name, const MakePieces& make, std::vector<Assem
 }
 
 void add_objects(const std::vector<MeshObject>& objects, const std::string& file, std::vector<AssemblyPart>& parts,
-                 const Context& context) {
+                 std::vector<std::string>& warnings, const Context& context) {
   for (const MeshObject& object : objects) {
     const std::string name = object.name.empty() ? part_name(file) : object.name;
     const std::string what = shown(file) + ": object '" + name + "'";
     add_part(
-        name, [&] { return pieces_of(object, what, context); }, parts, context);
+        name, [&] { return pieces_of(object, what, warnings, context); }, parts, context);
   }
 }
 
@@ -106,12 +130,12 @@ std::vector<AssemblyPart> read_parts(const Options& options, std::vector<std::st
   for (const std::string& file : options.inputs) {
     context.progress("parts", static_cast<double>(parts.size()) / static_cast<double>(options.inputs.size()));
     if (auto objects = read_objects(file, options, warnings, context)) {
-      add_objects(*objects, file, parts, context);
+      add_objects(*objects, file, parts, warnings, context);
       continue;
     }
     const Input input = read_input(file, options, warnings, context);
     add_part(
-        part_name(file), [&] { return pieces_of(input, shown(file), context); }, parts, context);
+        part_name(file), [&] { return pieces_of(input, shown(file), warnings, context); }, parts, context);
   }
   return parts;
 }

@@ -3,17 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <utility>
 
 #include "quoin/assembly/candidates.h"
 #include "quoin/assembly/overlap.h"
-#include "quoin/base/error.h"
 #include "quoin/cli/assembly_report.h"
 #include "quoin/cli/planar.h"
 #include "quoin/cli/scene_of_solid.h"
-#include "quoin/cli/streams.h"
+#include "quoin/cli/target_writing.h"
 #include "quoin/solid/exit.h"
 #include "quoin/view/plan_page.h"
 #include "quoin/view/sphere_arrangement_picture.h"
@@ -188,11 +186,14 @@ void add_facts(Parts parts, const AssemblyPlan& plan, PlanPicture& picture) {
     add("Cells with solutions", plan.partition->solution_cells);
   }
   if (plan.infinitesimal) {
-    add("Sets that can begin to move", plan.infinitesimal->partition.solution_count);
-    add("of these stopped later", plan.infinitesimal->stopped.size());
+    const Partition& found = plan.infinitesimal->partition;
+    picture.facts.emplace_back("Sets that can begin to move",
+                               (found.has_all ? "" : "more than ") + std::to_string(found.solution_count));
+    add(found.has_all ? "of these stopped later" : "of those looked at stopped later",
+        plan.infinitesimal->stopped.size());
     for (std::size_t k = 0; k < plan.infinitesimal->stopped.size() && k < most_stops_named; ++k) {
       const StoppedMotion& stop = plan.infinitesimal->stopped[k];
-      const Solution& solution = plan.infinitesimal->partition.solutions[stop.solution];
+      const Solution& solution = found.solutions[stop.solution];
       picture.facts.emplace_back(
           names_of(solution.movable[stop.movable], parts) + " along " + direction_text(solution.direction),
           parts[stop.stops[0][0]].name + " would meet " + parts[stop.stops[0][1]].name);
@@ -223,15 +224,7 @@ void write_assembly_page(Parts parts, const AssemblyPlan& plan, const Target& ta
       picture.facts.emplace_back("Sphere of directions", "too many cells to show");
     }
   }
-  if (target.is_stream()) {
-    write_plan_page(data_stream(), picture);
-    flush_standard_output();
-    return;
-  }
-  std::ofstream file(target.name);
-  if (!file) throw FileError(target.name + ": cannot be opened for writing");
-  write_plan_page(file, picture);
-  if (!file.flush()) throw FileError(target.name + ": cannot be written");
+  write_target(target, [&](std::ostream& out) { write_plan_page(out, picture); });
 }
 
 }  // namespace quoin::cli

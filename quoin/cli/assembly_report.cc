@@ -144,14 +144,18 @@ std::string counted(std::size_t count, const std::string& one, const std::string
   return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
+/// Of sets found, before their number.
+std::string at_least(const Partition& partition) {
+  return partition.has_all ? "" : "more than ";
+}
+
 std::string text_of(const Partition& partition, Parts parts) {
   std::string text = "motion space: " + counted(partition.cells.vertices, "vertex", "vertices") + ", " +
                      counted(partition.cells.edges, "edge", "edges") + ", " +
                      counted(partition.cells.faces, "face", "faces") + "\n";
   if (parts.size() < 2) return text + "one part has nothing to leave\n";
   if (partition.is_interlocked()) return text + "interlocked: no set of parts can move away from the others\n";
-  text += std::string(partition.has_all ? "" : "more than ") +
-          counted(partition.solution_count, "solution", "solutions") + " in " +
+  text += at_least(partition) + counted(partition.solution_count, "solution", "solutions") + " in " +
           counted(partition.solution_cells, "cell", "cells") + "\n";
   std::size_t lines = 0;
   for (const Solution& solution : partition.solutions) {
@@ -167,9 +171,10 @@ std::string text_of(const Partition& partition, Parts parts) {
 
 std::string text_of(const InfinitesimalFreedom& freedom, Parts parts) {
   const Partition& found = freedom.partition;
-  std::string text = "can begin to move: " + counted(found.solution_count, "set", "sets") + " in " +
-                     counted(found.solution_cells, "cell", "cells") +
-                     "; of these are stopped later: " + std::to_string(freedom.stopped.size()) + "\n";
+  std::string text = "can begin to move: " + at_least(found) + counted(found.solution_count, "set", "sets") + " in " +
+                     counted(found.solution_cells, "cell", "cells") + "; of " +
+                     (found.has_all ? "these" : "those looked at") +
+                     " are stopped later: " + std::to_string(freedom.stopped.size()) + "\n";
   for (std::size_t k = 0; k < freedom.stopped.size() && k < most_lines; ++k) {
     const StoppedMotion& stop = freedom.stopped[k];
     const Solution& solution = found.solutions[stop.solution];

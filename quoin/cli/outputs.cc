@@ -5,13 +5,13 @@
 #include <array>
 #include <charconv>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <span>
 
 #include "quoin/base/error.h"
 #include "quoin/cli/scene_of_solid.h"
 #include "quoin/cli/streams.h"
+#include "quoin/cli/target_writing.h"
 #include "quoin/cli/targets.h"
 #include "quoin/io/exact_text.h"
 #include "quoin/io/mesh_file.h"
@@ -129,12 +129,7 @@ class OutputWriter {
     const Triangulated& t = triangles(Precision::binary64);
     report_rounding(t, target.name, true);
     const ViewScene scene = scene_of_solid(boundary_, t, title_, context_);
-    if (target.is_stream()) return to_stream([&](std::ostream& out) { write_page(out, scene); });
-    std::ofstream out(target.name, std::ios::binary);
-    if (!out) throw FileError(target.name + ": cannot be written");
-    write_page(out, scene);
-    out.close();
-    if (!out) throw FileError(target.name + ": writing failed");
+    write_target(target, [&](std::ostream& out) { write_page(out, scene); });
   }
 
   const Brep& boundary_;

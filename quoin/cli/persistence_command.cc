@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <string>
 #include <vector>
@@ -14,6 +13,7 @@
 #include "quoin/cli/primes.h"
 #include "quoin/cli/reporting.h"
 #include "quoin/cli/streams.h"
+#include "quoin/cli/target_writing.h"
 #include "quoin/cli/targets.h"
 #include "quoin/io/simplex_text.h"
 #include "quoin/topology/persistence.h"
@@ -138,15 +138,7 @@ void draw(std::ostream& out, const Diagram& diagram, const Options& options) {
 
 void write_drawings_of(const Diagram& diagram, const Options& options) {
   for (const Target& target : targets_of(options)) {
-    if (target.is_stream()) {
-      draw(data_stream(), diagram, options);
-      flush_standard_output();
-      continue;
-    }
-    std::ofstream file(target.name);
-    if (!file) throw FileError(target.name + ": cannot be opened for writing");
-    draw(file, diagram, options);
-    if (!file.flush()) throw FileError(target.name + ": cannot be written");
+    write_target(target, [&](std::ostream& out) { draw(out, diagram, options); });
   }
 }
 

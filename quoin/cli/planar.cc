@@ -12,6 +12,7 @@
 #include "quoin/cli/inputs.h"
 #include "quoin/cli/reporting.h"
 #include "quoin/cli/streams.h"
+#include "quoin/cli/target_writing.h"
 #include "quoin/cli/targets.h"
 #include "quoin/io/drawing_curves.h"
 
@@ -140,13 +141,9 @@ void write_drawings(const Drawing& drawing, const Options& options, std::vector<
     how.flatten_tolerance = options.flatten;
     how.as_one_geometry = true;
     std::vector<std::string> notes;
-    if (target.is_stream()) {
-      std::ostringstream text;  // what is refused leaves no part of it
-      notes = write_drawing(text, target.planar_format, drawing, how, context);
-      data_stream() << text.view();
-    } else {
-      notes = write_drawing(target.name, target.planar_format, drawing, how, context);
-    }
+    write_target(target, [&](std::ostream& out) {
+      notes = write_drawing(out, target.planar_format, drawing, how, context);
+    });
     const std::string prefix = (target.is_stream() ? "standard output" : target.name) + ": ";
     for (const std::string& note : notes) warnings.push_back(prefix + note);
   }

@@ -2,10 +2,8 @@
 #include "quoin/cli/planar_pictures.h"
 
 #include <array>
-#include <fstream>
 
-#include "quoin/base/error.h"
-#include "quoin/cli/streams.h"
+#include "quoin/cli/target_writing.h"
 #include "quoin/cli/targets.h"
 #include "quoin/view/picture_page.h"
 #include "quoin/view/picture_svg.h"
@@ -69,15 +67,7 @@ void write_sum_picture(const LinearPolygonSet& sum, const LinearPolygonSet& tigh
 void write_picture(const PlanarPicture& picture, const Options& options) {
   for (const Target& target : targets_of(options)) {
     if (target.kind != Target::Kind::planar_page && target.kind != Target::Kind::picture) continue;
-    if (target.is_stream()) {
-      write_to(data_stream(), target, picture);
-      flush_standard_output();
-      continue;
-    }
-    std::ofstream file(target.name);
-    if (!file) throw FileError(target.name + ": cannot be opened for writing");
-    write_to(file, target, picture);
-    if (!file.flush()) throw FileError(target.name + ": cannot be written");
+    write_target(target, [&](std::ostream& out) { write_to(out, target, picture); });
   }
 }
 

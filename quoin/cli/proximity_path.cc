@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <utility>
 
@@ -15,7 +15,7 @@
 #include "quoin/cli/point_queries.h"
 #include "quoin/cli/proximity_report.h"
 #include "quoin/cli/reporting.h"
-#include "quoin/cli/streams.h"
+#include "quoin/cli/target_writing.h"
 #include "quoin/cli/targets.h"
 #include "quoin/cli/trail_drawing.h"
 #include "quoin/polytope/piecewise_proximity.h"
@@ -26,6 +26,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+using PiecePairs = std::set<std::pair<std::uint32_t, std::uint32_t>>;
+
 /// The report grows place by place, with the trail.
 struct Report {
   Json steps = Json::array();
@@ -33,6 +35,7 @@ struct Report {
   std::string text;
   Trail trail;
   std::optional<std::pair<Rational, std::size_t>> least;  // distance, and its step
+  PiecePairs met_at_end;                                  // of the last leg: what a contact may continue
 };
 
 Point2 seen_from_above(const RationalPoint3& p) {
@@ -68,11 +71,8 @@ void add_step(Report& report, const RationalPoint3& at, Proximity relation, cons
 void add_event(Report& report, std::size_t leg, const PiecewisePassage& event, const RationalPoint3& from,
                const RationalPoint3& to) {
   const TranslationPassage& passage = event.passage;
-  const auto goes_on = [&](const Json& last) {
-    return last["leg"].get<std::size_t>() + 1 == leg && last["exact_leave"] == "1" &&
-           last["pieces"] == Json{event.first, event.second};
-  };
-  const bool is_continued = passage.enter.sign() == Sign::zero && std::ranges::any_of(report.events, goes_on);
+  const bool is_continued =
+      passage.enter.sign() == Sign::zero && report.met_at_end.contains({event.first, event.second});
   if (is_continued && passage.leave.sign() == Sign::zero) return;
   const RationalPoint3 enter = from + (to - from) * passage.enter;
   const RationalPoint3 leave = from + (to - from) * passage.leave;
@@ -106,9 +106,12 @@ void follow(Report& report, const ProximityOperand& moving, const ProximityOpera
     }
     add_step(report, path[i], d.relation, d.squared_distance, d.witness, std::move(details));
     if (i + 1 == path.size()) return;
+    PiecePairs met_at_end;
     for (const PiecewisePassage& event : proximity.passages(at, *as_doubles(path[i + 1]), context)) {
       add_event(report, i, event, path[i], path[i + 1]);
+      if (event.passage.leave == Rational(1)) met_at_end.emplace(event.first, event.second);
     }
+    report.met_at_end = std::move(met_at_end);
   }
 }
 
@@ -124,15 +127,7 @@ void follow_any(Report& report, const ProximityOperand& moving, const ProximityO
 
 void draw(const Trail& trail, const Options& options) {
   for (const Target& target : targets_of(options)) {
-    if (target.is_stream()) {
-      draw_trail(data_stream(), trail);
-      flush_standard_output();
-      continue;
-    }
-    std::ofstream file(target.name);
-    if (!file) throw FileError(target.name + ": cannot be opened for writing");
-    draw_trail(file, trail);
-    if (!file.flush()) throw FileError(target.name + ": cannot be written");
+    write_target(target, [&](std::ostream& out) { draw_trail(out, trail); });
   }
 }
 

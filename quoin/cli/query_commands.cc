@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <sstream>
 
 #include "quoin/cli/commands.h"
@@ -12,6 +11,7 @@
 #include "quoin/cli/reporting.h"
 #include "quoin/cli/streams.h"
 #include "quoin/cli/summary.h"
+#include "quoin/cli/target_writing.h"
 #include "quoin/cli/targets.h"
 #include "quoin/io/svg.h"
 #include "quoin/solid/measure.h"
@@ -159,15 +159,8 @@ Json summarize(const Section& s, double area) {
 
 // Returns how far the drawing is from the section.
 double draw(const Target& target, const Section& s, const SectionPlane& plane) {
-  if (target.is_stream()) {
-    const SvgReport report = write_svg(data_stream(), s, plane);
-    flush_standard_output();
-    return report.largest_rounding;
-  }
-  std::ofstream file(target.name);
-  if (!file) throw FileError(target.name + ": cannot be opened for writing");
-  const SvgReport report = write_svg(file, s, plane);
-  if (!file.flush()) throw FileError(target.name + ": cannot be written");
+  SvgReport report;
+  write_target(target, [&](std::ostream& out) { report = write_svg(out, s, plane); });
   return report.largest_rounding;
 }
 

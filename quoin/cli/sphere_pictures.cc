@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "quoin/cli/sphere_pictures.h"
 
-#include <fstream>
-#include <functional>
 
-#include "quoin/base/error.h"
 #include "quoin/cli/failure.h"
 #include "quoin/cli/planar.h"
-#include "quoin/cli/streams.h"
+#include "quoin/cli/target_writing.h"
 #include "quoin/cli/targets.h"
 #include "quoin/view/flat_sphere_picture.h"
 #include "quoin/view/picture_svg.h"
@@ -15,24 +12,6 @@
 #include "quoin/view/sphere_page.h"
 
 namespace quoin::cli {
-
-namespace {
-
-using Write = std::function<void(std::ostream&)>;
-
-void write_to(const Target& target, const Write& write) {
-  if (target.is_stream()) {
-    write(data_stream());
-    flush_standard_output();
-    return;
-  }
-  std::ofstream file(target.name);
-  if (!file) throw FileError(target.name + ": cannot be opened for writing");
-  write(file);
-  if (!file.flush()) throw FileError(target.name + ": cannot be written");
-}
-
-}  // namespace
 
 void require_pictures(const Options& options) {
   for (const Target& target : targets_of(options)) {
@@ -51,10 +30,10 @@ void write_sphere_pictures(const GeodesicArrangement& arrangement, const Arrange
   for (const Target& target : targets_of(options)) {
     if (target.kind == Target::Kind::picture) {
       const PlanarPicture flat = flat_picture_of(arrangement, all, context);
-      write_to(target, [&](std::ostream& out) { write_svg(out, flat); });
+      write_target(target, [&](std::ostream& out) { write_svg(out, flat); });
     } else {
       const SpherePicture globe = sphere_picture_of(arrangement, all);
-      write_to(target, [&](std::ostream& out) { write_sphere_page(out, globe); });
+      write_target(target, [&](std::ostream& out) { write_sphere_page(out, globe); });
     }
   }
 }

@@ -117,7 +117,7 @@ class Drawing {
     return path;
   }
 
-  /// The ends, all contacts as far as there is room, and places at equal steps between.
+  /// The ends and places at equal steps between.
   void write_places() {
     const std::size_t count = trail_.steps.size();
     const std::size_t stride = count / most_places + 1;

@@ -37,7 +37,7 @@ struct Trail {
   std::string title;
 };
 
-/// Draws it as SVG, in colors by relation, light or dark as the reader prefers. At most 60 places are shown beside the
+/// Draws it as SVG, in colors by relation, light or dark as the reader prefers. At most 61 places are shown beside the
 /// way itself. Rounded to hundredths of a pixel. @throws InputError  a coordinate is not finite
 void draw_trail(std::ostream& out, const Trail& trail);
 

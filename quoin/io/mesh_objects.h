@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "quoin/base/context.h"
 #include "quoin/io/mesh_file.h"
 
 namespace quoin {
@@ -17,7 +18,7 @@ struct MeshObject {
 
 /// What a file is made of: its objects, or where it has none, its groups as objects; nothing where it has neither.
 /// Faces before the first of them are an object without a name, and groups of one name in an object are one. Meshes
-/// have the vertices that they use, in the order of the file. O(size log size).
-std::vector<MeshObject> objects_of(const MeshFile& file);
+/// have the vertices that they use, in the order of the file. O(size log size). @throws Cancelled
+std::vector<MeshObject> objects_of(const MeshFile& file, const Context& context);
 
 }  // namespace quoin

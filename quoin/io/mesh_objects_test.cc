@@ -8,7 +8,7 @@ namespace {
 
 std::vector<MeshObject> objects_in(const std::string& text) {
   const Context context({.threads = 1});
-  return objects_of(read_mesh(text, "x.obj", {}, context));
+  return objects_of(read_mesh(text, "x.obj", {}, context), context);
 }
 
 const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 5 5 5\n";

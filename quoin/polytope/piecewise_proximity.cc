@@ -99,6 +99,10 @@ PiecewiseDistance PiecewiseProximity::distance(const Vector3& translation, const
 
 std::vector<PiecewisePassage> PiecewiseProximity::passages(const Vector3& from, const Vector3& to,
                                                            const Context& context) {
+  for (const Vector3& end : {from, to}) {
+    if (!std::isfinite(end.x) || !std::isfinite(end.y) || !std::isfinite(end.z))
+      throw InputError("an end of the way is not finite");
+  }
   std::vector<PiecewisePassage> result;
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     if (i % 256 == 0) context.poll();

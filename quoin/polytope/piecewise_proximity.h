@@ -37,6 +37,7 @@ class PiecewiseProximity {
   PiecewiseDistance distance(const Vector3& translation, const Context& context);
 
   /// All pairs that have common points on a straight way, by where these begin.
+  /// @throws InputError if a number is not finite, Cancelled
   std::vector<PiecewisePassage> passages(const Vector3& from, const Vector3& to, const Context& context);
 
   /// Of a pair.

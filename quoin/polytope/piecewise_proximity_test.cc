@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <limits>
 #include <random>
 #include <string>
 #include <vector>
@@ -116,6 +117,9 @@ TEST(PiecewiseProximity, NamesThePieces) {
   EXPECT_EQ(near.distance.squared_distance, Rational(64));
   EXPECT_EQ(far.distance.squared_distance, Rational(4));
   EXPECT_NE(near.second, far.second);
+  const double no_number = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(proximity.passages({4, 0, 0}, {no_number, 0, 0}, one_thread), InputError);
+  EXPECT_THROW(proximity.passages({0, no_number, 0}, {4, 0, 0}, one_thread), InputError);
   const auto passages = proximity.passages({20, 0, 0}, {-30, 0, 0}, one_thread);
   ASSERT_EQ(passages.size(), 2U);
   EXPECT_EQ(passages[0].second, near.second);

@@ -50,6 +50,20 @@ TEST(SolidPenetration, OfBoxesAndOfShapesWithNotches) {
   EXPECT_THROW(SolidPenetration(~frame, frame, one_thread), InputError);
 }
 
+TEST(SolidPenetration, OfSizesWhoseSquaresAreNoDoubles) {
+  for (const double size : {1.0, 0x1p-538, 0x1p500}) {
+    const auto sized = [&](const Point3& low, const Point3& high) {
+      return box({low.x * size, low.y * size, low.z * size}, {high.x * size, high.y * size, high.z * size});
+    };
+    const Solid shape = sized({0, 0, 0}, {8, 8, 8}) | sized({-6, 2, 2}, {1, 3, 3});
+    for (const auto& [dx, dy] : {std::array{1.9, 1.5}, std::array{1.5, 1.9}}) {
+      const SolidPenetration found(shape, sized({8 - dx, 8 - dy, -20}, {30, 30, 30}), one_thread);
+      const Rational depth = Rational(1.5) * Rational(size);
+      EXPECT_EQ(found.shortest(vector(0, 0, 0), one_thread)->squared_depth, depth * depth);
+    }
+  }
+}
+
 /// Where the separation leads, the two only touch; a little less of it, and they overlap.
 TEST(SolidPenetration, SeparationsLeadToContact) {
   std::mt19937_64 random(5);

@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <limits>
+#include <numeric>
 #include <random>
 #include <string>
 #include <vector>
@@ -174,6 +177,86 @@ TEST(SolidSum, HoldsThePlacesWhereTheTwoMeetInARing) {
   EXPECT_TRUE(contains(sum_of(c, c), {0, 0, 0}));
   EXPECT_TRUE(contains(sum_of(bowl, frame()), {0, 0, 0}));
   EXPECT_TRUE(contains(sum_of(frame(), bowl), {0, 0, 0}));
+}
+
+/// A plate with teeth of equal steps in its rims.
+Mesh toothed_plate(int teeth) {
+  Mesh mesh;
+  std::vector<Point2> rim;
+  for (int i = 0; i <= teeth; ++i) rim.push_back({4, static_cast<double>(i)});
+  for (int i = teeth; i >= 0; --i) rim.push_back({0, static_cast<double>(i)});
+  const auto n = static_cast<std::uint32_t>(rim.size());
+  for (const Point2& p : rim) mesh.vertices.push_back({p.x, p.y, 2});
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const double tooth = i % 2 == 0 ? 0 : 0.25;
+    mesh.vertices.push_back({rim[i].x > 2 ? rim[i].x + tooth : rim[i].x - tooth, rim[i].y, 0});
+  }
+  std::vector<std::uint32_t> top(n);
+  std::iota(top.begin(), top.end(), 0U);
+  mesh.add_face(top);
+  std::vector<std::uint32_t> bottom;
+  for (std::uint32_t i = 2 * n; i > n; --i) bottom.push_back(i - 1);
+  mesh.add_face(bottom);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t next = (i + 1) % n;
+    mesh.add_face(Tile{i, n + i, n + next});
+    mesh.add_face(Tile{i, n + next, next});
+  }
+  return mesh;
+}
+
+/// Many tiles of the convolution face each other in one place there; all of them belong to one wall.
+TEST(SolidSum, OfSurfacesWhoseSumsCoverOneAnother) {
+  const Solid plate = solid(toothed_plate(24));
+  const std::array<Point2, 4> outer{{{0, -3}, {1, 0}, {0, 3}, {-1, 0}}};
+  const std::array<Point2, 4> inner{{{0, -1}, {0.25, 0}, {0, 1}, {-0.25, 0}}};
+  std::vector<Solid> sides;
+  for (std::size_t i = 0; i < 4; ++i) {
+    Points corners;
+    for (const Point2& p : {outer[i], outer[(i + 1) % 4], inner[(i + 1) % 4], inner[i]}) {
+      corners.push_back({p.x, p.y, 0});
+      corners.push_back({p.x, p.y, 1});
+    }
+    sides.push_back(hull_of(corners));
+  }
+  const Solid sum = sum_of(plate, united(sides));
+  EXPECT_EQ(volume_of(sum), Rational(537));
+  for (Solid& side : sides) side = sum_of(plate, side);
+  expect_same_set(sum, united(sides));
+}
+
+/// Vertices may be less than any double.
+TEST(SolidSum, OfAnyScale) {
+  for (const std::uint64_t seed : {0U, 1U, 2U}) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const auto tetrahedron = [&](std::int64_t range) {
+      Points points(4);
+      for (Point3& p : points) {
+        for (unsigned axis = 0; axis < 3; ++axis) {
+          p[axis] = static_cast<double>(static_cast<std::int64_t>(random() % (2 * range + 1)) - range);
+        }
+      }
+      return points;
+    };
+    const Points whole = tetrahedron(9);
+    const Points bite = tetrahedron(9);
+    const Points other = tetrahedron(1 << 20);
+    const auto scaled = [&](const Points& points, int exponent) {
+      Points result;
+      for (const Point3& p : points) {
+        result.push_back({std::ldexp(p.x, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent)});
+      }
+      return hull_of(result);
+    };
+    const auto sum_at = [&](int exponent) {
+      return sum_of(scaled(whole, exponent - 1074) - scaled(bite, exponent - 1074), scaled(other, exponent + 40));
+    };
+    const Solid tiny = sum_at(0);
+    const Solid large = sum_at(574);
+    EXPECT_EQ(counts_of(tiny), counts_of(large));
+    EXPECT_EQ(volume_of(tiny) * Rational(0x1p861) * Rational(0x1p861), volume_of(large));
+  }
 }
 
 TEST(SolidSum, KeepsHolesThatTheOtherDoesNotFill) {

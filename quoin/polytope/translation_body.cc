@@ -107,10 +107,11 @@ std::vector<Point3> vertices_of(const Polytope& p) {
 }  // namespace
 
 TranslationBody::TranslationBody(const Polytope& first, const Polytope& second, const Context& context)
-    : first_(vertices_of(first)), second_(vertices_of(second)), sum_(minkowski_sum(second, reflected(first), context)) {
-  if (sum_.dimension < 3 || std::max(first.dimension(), second.dimension()) < 3)
+    : first_(vertices_of(first)), second_(vertices_of(second)) {
+  if (std::max(first.dimension(), second.dimension()) < 3)
     throw InputError("neither of two polytopes is a solid: translations of such are not queried");
   if (first.is_rational() || second.is_rational()) throw InputError("a vertex of a polytope is no point of doubles");
+  sum_ = minkowski_sum(second, reflected(first), context);
   link();
   choose_anchors();
 }

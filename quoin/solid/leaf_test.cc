@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <random>
 
 #include "quoin/base/error.h"
@@ -137,6 +138,38 @@ TEST(Leaf, SliversOfNoAreaAreHealed) {
   EXPECT_EQ(result.diagnosis.degenerate_faces.count, 1U);
   EXPECT_FALSE(result.leaf->crosses_itself);
   EXPECT_EQ(volume(Solid::from_leaf(result.leaf, context).boundary(), context), Rational(1));
+}
+
+// A tetrahedron with an edge that one side walks along to and fro, and faces without an area that close it.
+TEST(Leaf, SliversThatLeanOnSliversAreHealed) {
+  std::mt19937_64 random(3);
+  for (int round = 0; round < 40; ++round) {
+    SCOPED_TRACE(round);
+    const auto n = static_cast<std::uint32_t>(3 + random() % 12);
+    Mesh mesh;
+    for (std::uint32_t i = 0; i < n; ++i) mesh.vertices.push_back({static_cast<double>(i), 0, 0});
+    const std::uint32_t left = n;
+    const std::uint32_t right = n + 1;
+    mesh.vertices.push_back({0, 1, 0});
+    mesh.vertices.push_back({0, 0, 1});
+    std::vector<std::uint32_t> walk(n);
+    std::iota(walk.begin(), walk.end(), 0U);
+    std::shuffle(walk.begin() + 1, walk.end() - 1, random);
+    for (std::uint32_t i = 0; i + 1 < n; ++i) mesh.add_face(Tile{left, walk[i + 1], walk[i]});
+    mesh.add_face(Tile{right, 0, n - 1});
+    mesh.add_face(Tile{left, 0, right});
+    mesh.add_face(Tile{left, right, n - 1});
+    while (walk.size() > 2) {
+      const std::size_t ear = 1 + random() % (walk.size() - 2);
+      mesh.add_face(Tile{walk[ear - 1], walk[ear], walk[ear + 1]});
+      walk.erase(walk.begin() + static_cast<std::ptrdiff_t>(ear));
+    }
+    const LeafResult result = leaf_of(mesh);
+    ASSERT_NE(result.leaf, nullptr);
+    EXPECT_EQ(result.diagnosis.degenerate_faces.count, n - 2);
+    EXPECT_EQ(volume(Solid::from_leaf(result.leaf, context).boundary(), context) * Rational(6),
+              Rational(static_cast<double>(n - 1)));
+  }
 }
 
 // A cone over a closed walk around the apex: it may turn once, several times, or fold back.

@@ -8,7 +8,7 @@ import pathlib
 import subprocess
 import sys
 
-from command import DONE, FILE_TROUBLE, OUT_OF_TIME, REFUSED, USAGE, CommandTest, box, corners, main, CUBE_FACES
+from command import DONE, FILE_TROUBLE, OUT_OF_TIME, REFUSED, USAGE, CommandTest, box, corners, main, off, CUBE_FACES
 
 EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "examples" / "assembly"
 
@@ -88,6 +88,11 @@ class Assembly(CommandTest):
         self.assertFalse(report["all_listed"])
         self.assertLessEqual(len(report["solutions"]), 50)
         self.assertIn("--limit", report["warnings"][0])
+        report = self.json_of("assembly", path, "--infinitesimal", "--limit", "3")
+        self.assertFalse(report["infinitesimal"]["all_listed"])
+        self.assertIn("not all sets that can begin to move are listed", report["warnings"][0])
+        text = self.run_quoin("assembly", path, "--infinitesimal", "--limit", "3").stdout
+        self.assertIn("can begin to move: more than", text)
         self.assertIn("no part", self.run_quoin("assembly", path, "--base", "lid", code=REFUSED).stderr)
         for mistake in (["--direction", "0,0,0"], ["--direction", "1,2"], ["--direction", "x,0,0"], ["--limit", "-1"],
                         ["--limit", "x"], ["--base"]):
@@ -135,6 +140,37 @@ class Assembly(CommandTest):
         lines = obj({"box": [((0, 0, 0), (1, 1, 1))]}).splitlines()
         self.write("named.obj", "\n".join(lines[:-2] + ["g lid"] + lines[-2:]))
         self.assertEqual(self.json_of("assembly", "named.obj")["parts"][0]["pieces"], 1)
+
+    def test_what_is_wrong_with_a_part_is_said(self):
+        inside_out = obj({"a": [((0, 0, 0), (1, 1, 1)), ((0, 0, 8), (1, 1, 9))], "b": [((0, 0, 3), (1, 1, 4))]}).splitlines()
+        lid = [k for k, line in enumerate(inside_out) if line.startswith("f ")][6:12]
+        for k in lid:
+            inside_out[k] = "f " + " ".join(reversed(inside_out[k].split()[1:]))
+        for name, lines in (("grouped.obj", inside_out),
+                            ("whole.obj", [line for line in inside_out if not line.startswith("g ")])):
+            self.write(name, "\n".join(lines))
+            warnings = self.json_of("assembly", name, "--sequence")["warnings"]
+            self.assertEqual(len(warnings), 1)
+            self.assertIn("object 'a': 1 components are inside out", warnings[0])
+        # Of a body that is a group of its own, and of a file.
+        twice = obj({"a": [((0, 0, 0), (1, 1, 1))], "b": [((0, 0, 3), (1, 1, 4))]}).splitlines()
+        twice.insert(twice.index("o b"), "f 1 1 2")
+        self.write("twice.obj", "\n".join(twice))
+        self.assertIn("degenerate", self.json_of("assembly", "twice.obj")["warnings"][0])
+        two = corners((0, 0, 0), (1, 1, 1)) + corners((0, 0, 8), (1, 1, 9))
+        self.write("two.off", off(two, [*CUBE_FACES, *(tuple(8 + v for v in reversed(f)) for f in CUBE_FACES)]))
+        report = self.json_of("assembly", "two.off", "far.off")
+        self.assertIn("two.off: 1 components are inside out", report["warnings"][0])
+        self.assertEqual(report["parts"][0]["pieces"], 1)
+
+    def test_the_wall_of_a_cavity_may_be_a_group(self):
+        lines = obj({"shell": [((0, 0, 0), (3, 3, 3)), ((1, 1, 1), (2, 2, 2))], "core": [((1, 1, 1), (2, 2, 2))]}).splitlines()
+        for k in [k for k, line in enumerate(lines) if line.startswith("f ")][6:12]:
+            lines[k] = "f " + " ".join(reversed(lines[k].split()[1:]))
+        self.write("hollow.obj", "\n".join(lines))
+        report = self.json_of("assembly", "hollow.obj")
+        self.assertTrue(report["interlocked"])
+        self.assertEqual((report["warnings"], report["parts"][1]["pieces"]), ([], 1))
 
     def test_bad_parts(self):
         refusal = self.run_quoin("assembly", "a.off", "b.off", code=REFUSED).stderr

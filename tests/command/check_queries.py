@@ -7,7 +7,7 @@ import json
 import math
 import xml.etree.ElementTree
 
-from command import DONE, FILE_TROUBLE, REFUSED, USAGE, CommandTest, box, main
+from command import CUBE_FACES, DONE, FILE_TROUBLE, REFUSED, USAGE, CommandTest, box, corners, main, off
 
 INFO = ("file vertices edges faces triangles shells voids components closed manifold nonmanifold_edges "
         "nonmanifold_vertices unbounded volume area bounds inputs centroid warnings")
@@ -170,6 +170,27 @@ class Minkowski(CommandTest):
         self.run_quoin("csg", "!x", "x=a.off", "-o", "all_but.qsolid")
         self.assertIn("unbounded", self.run_quoin("minkowski", "l.off", "all_but.qsolid", code=REFUSED).stderr)
 
+    def test_what_is_found_wrong_is_said_and_no_part_of_the_sum(self):
+        self.write("c.off", box((0, 0, 0), (1, 1, 1)))
+        self.write("lone.off", off([*corners((0, 0, 0), (1, 1, 1)), (10, 10, 10)], CUBE_FACES))
+        two = corners((0, 0, 0), (1, 1, 1)) + corners((5, 0, 0), (6, 1, 1))
+        self.write("turned.off", off(two, [*CUBE_FACES, *(tuple(8 + v for v in reversed(f)) for f in CUBE_FACES)]))
+        for name, words in (("lone.off", "belong to no face"), ("turned.off", "inside out")):
+            for operands in ((name, "c.off"), ("c.off", name)):
+                report = self.json_of("minkowski", *operands)
+                self.assertEqual(report["volume"], 8)
+                self.assertEqual(len(report["warnings"]), 1)
+                self.assertIn(words, report["warnings"][0])
+                self.assertIn(name, report["warnings"][0])
+            self.assertIn(words, self.json_of("distance", name, "far.off")["warnings"][0])
+
+    def test_an_operand_from_a_stream(self):
+        cube = box((0, 0, 0), (1, 1, 1))
+        self.write("c.off", cube)
+        for words in (["-", "c.off"], ["c.off", "-"]):
+            report = json.loads(self.run_quoin("minkowski", *words, "--json", stdin=cube).stdout)
+            self.assertEqual(report["volume"], 8)
+
     def test_balls(self):
         outer = self.json_of("minkowski", "a.off", "--ball", "1", "--within", "0.05")["volume"]
         inner = self.json_of("minkowski", "a.off", "--ball", "1", "--within", "0.05", "--inner")["volume"]
@@ -329,6 +350,14 @@ class Distance(CommandTest):
             self.run_quoin("distance", "a.off", "b.off", *words, code=USAGE)
         self.write("path.txt", "0 0 4\n")
         self.run_quoin("distance", "a.off", "b.off", "--path", "path.txt", "-o", "no/folder.svg", code=FILE_TROUBLE)
+        # What cannot be drawn leaves a file as it was, and prints no part.
+        self.write("trail.svg", "before")
+        self.write("path.txt", "1e308 0 0\n-1e308 0 0\n")
+        for target in ("trail.svg", "-"):
+            done = self.run_quoin("distance", "a.off", "b.off", "--path", "path.txt", "-o", target, code=REFUSED)
+            self.assertIn("too large for a drawing", done.stderr)
+            self.assertEqual(done.stdout, "")
+        self.assertEqual(self.read("trail.svg"), b"before")
 
     def test_width(self):
         self.write("slab.off", box((0, 0, 0), (3, 5, 0.5)))
