@@ -45,6 +45,10 @@ endif()
 if(QUOIN_SANITIZE)
   target_compile_options(quoin_options INTERFACE
     -fsanitize=${QUOIN_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  if(QUOIN_SANITIZE MATCHES "undefined")
+    # A fifth of the time of compiling, for what the address sanitizer finds at the place where memory is touched.
+    target_compile_options(quoin_options INTERFACE -fno-sanitize=null,object-size,pointer-overflow,vptr)
+  endif()
   target_link_options(quoin_options INTERFACE -fsanitize=${QUOIN_SANITIZE})
   target_compile_definitions(quoin_options INTERFACE QUOIN_SANITIZED)
 endif()
