@@ -15,6 +15,13 @@ namespace {
 
 constexpr std::size_t most = 3;  // points of a support besides one
 
+RationalPoint3 exact(const Point3& p) {
+  return exact_point(p);
+}
+const RationalPoint3& exact(const RationalPoint3& p) {
+  return p;
+}
+
 /// Linear equations in as many unknowns, the last column on the right side.
 using Equations = std::array<std::array<Rational, most + 1>, most>;
 
@@ -41,11 +48,12 @@ bool solve(Equations& m, std::size_t size) {
 ///
 /// With the center at a + sum of t_k v_k for the vectors v_k from the first point a to the others, equal distances mean
 /// 2 v_i.(sum of t_k v_k) = v_i.v_i; inside is where all t_k and what they lack to one are positive.
-std::optional<SmallestBall> ball_through(std::span<const Point3> points, std::vector<std::uint32_t> support) {
-  const RationalPoint3 a = exact_point(points[support[0]]);
+template <class Point>
+std::optional<SmallestBall> ball_through(std::span<const Point> points, std::vector<std::uint32_t> support) {
+  const RationalPoint3 a = exact(points[support[0]]);
   const std::size_t size = support.size() - 1;
   std::array<RationalPoint3, most> v;
-  for (std::size_t i = 0; i < size; ++i) v[i] = exact_point(points[support[i + 1]]) - a;
+  for (std::size_t i = 0; i < size; ++i) v[i] = exact(points[support[i + 1]]) - a;
   Equations m;
   for (std::size_t i = 0; i < size; ++i) {
     for (std::size_t k = 0; k < size; ++k) m[i][k] = dot(v[i], v[k]) * Rational(2);
@@ -61,30 +69,33 @@ std::optional<SmallestBall> ball_through(std::span<const Point3> points, std::ve
   }
   if (rest.sign() != Sign::positive) return std::nullopt;
   std::sort(support.begin(), support.end());
-  return SmallestBall{a + to_center, dot(to_center, to_center), std::move(support)};
+  return SmallestBall{a + to_center, dot(to_center, to_center), std::move(support), 0};
 }
 
 }  // namespace
 
-SmallestBall of_point(std::span<const Point3> points, std::uint32_t only) {
-  return {exact_point(points[only]), Rational(0), {only}};
+template <class Point>
+SmallestBall of_point(std::span<const Point> points, std::uint32_t only) {
+  return {exact(points[only]), Rational(0), {only}, 0};
 }
 
 /// |p - c|^2 - |s - c|^2 = (p - s).(p + s - 2 c).
-bool is_outside(const SmallestBall& ball, const Point3& support, const Point3& p) {
-  if (p == support) return false;
+template <class Point>
+Rational height(const SmallestBall& ball, const Point& support, const Point& p) {
   Rational value(0);
+  if (p == support) return value;
   for (unsigned axis = 0; axis < 3; ++axis) {
     const Rational a(p[axis]);
     const Rational b(support[axis]);
     value += (a - b) * (a + b - ball.center[axis] - ball.center[axis]);
   }
-  return value.sign() == Sign::positive;
+  return value;
 }
 
 /// The new point is in every support of the new ball. So of all sets of it and others of the old support one has a ball
 /// with the center inside that holds the rest too: it is the smallest, since no smaller one holds the set.
-SmallestBall grown(std::span<const Point3> points, const SmallestBall& ball, std::uint32_t outside) {
+template <class Point>
+SmallestBall grown(std::span<const Point> points, const SmallestBall& ball, std::uint32_t outside) {
   const std::vector<std::uint32_t>& old = ball.support;
   for (unsigned subset = 1; subset < (1U << old.size()); ++subset) {
     std::vector<std::uint32_t> support{outside};
@@ -94,11 +105,19 @@ SmallestBall grown(std::span<const Point3> points, const SmallestBall& ball, std
     if (support.size() > most + 1) continue;
     std::optional<SmallestBall> found = ball_through(points, std::move(support));
     if (!found) continue;
-    const Point3& on = points[outside];
-    if (std::none_of(old.begin(), old.end(), [&](std::uint32_t i) { return is_outside(*found, on, points[i]); }))
-      return std::move(*found);
+    const auto is_outside = [&](std::uint32_t i) {
+      return height(*found, points[outside], points[i]).sign() == Sign::positive;
+    };
+    if (std::none_of(old.begin(), old.end(), is_outside)) return std::move(*found);
   }
   throw InternalError("no ball through a point outside of another");
 }
+
+template SmallestBall of_point(std::span<const Point3> points, std::uint32_t only);
+template SmallestBall of_point(std::span<const RationalPoint3> points, std::uint32_t only);
+template SmallestBall grown(std::span<const Point3> points, const SmallestBall& ball, std::uint32_t outside);
+template SmallestBall grown(std::span<const RationalPoint3> points, const SmallestBall& ball, std::uint32_t outside);
+template Rational height(const SmallestBall& ball, const Point3& support, const Point3& p);
+template Rational height(const SmallestBall& ball, const RationalPoint3& support, const RationalPoint3& p);
 
 }  // namespace quoin::ball_basis

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <utility>
 
 #include "quoin/base/error.h"
 #include "quoin/polytope/ball_basis.h"
@@ -22,17 +23,22 @@ void check(std::span<const Point3> points) {
   }
 }
 
-/// A point outside of the ball, or BallFilter::nobody.
+/// The point furthest outside of the ball, up to the rounding of heights in doubles, or BallFilter::nobody.
 std::uint32_t find_outside(std::span<const Point3> points, const BallFilter& filter, const SmallestBall& ball,
                            const Context& context) {
   const BallFilter::Outcome filtered = filter.find_outside(ball, context);
   if (filtered.outside != BallFilter::nobody) return filtered.outside;
   const Point3& on = points[ball.support[0]];
+  std::uint32_t furthest = BallFilter::nobody;
+  Rational most(0);
   for (std::size_t i = 0; i < filtered.open.size(); ++i) {
     if (i % 256 == 0) context.poll();
-    if (ball_basis::is_outside(ball, on, points[filtered.open[i]])) return filtered.open[i];
+    Rational height = ball_basis::height(ball, on, points[filtered.open[i]]);
+    if (height <= most) continue;
+    most = std::move(height);
+    furthest = filtered.open[i];
   }
-  return BallFilter::nobody;
+  return furthest;
 }
 
 }  // namespace
@@ -44,7 +50,9 @@ SmallestBall smallest_ball(std::span<const Point3> points, const Context& contex
   while (true) {
     const std::uint32_t outside = find_outside(points, filter, ball, context);
     if (outside == BallFilter::nobody) return ball;
+    const std::size_t steps = ball.steps + 1;
     ball = ball_basis::grown(points, ball, outside);
+    ball.steps = steps;
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -19,14 +20,16 @@ struct SmallestBall {
   /// Up to four of the points (two at least, unless all are equal), by their indices in ascending order: they lie on
   /// the sphere, their simplex has the center in its interior, and so no smaller ball holds them.
   std::vector<std::uint32_t> support{};
+  std::size_t steps = 0;  ///< smaller balls of some of the points that came before it
 };
 
 /// Exact for all finite doubles, in any position: equal, collinear, coplanar and cospherical points are ordinary.
 ///
 /// From ball to larger ball: the point furthest outside enters the support, until none is outside. Which side of the
 /// sphere a point is on is decided in doubles, then in pairs of doubles, and in rationals where both leave it open; the
-/// ball of a support and one more point is found in rationals. A step takes O(n), and a few steps, hardly more than
-/// twenty, are enough for any number of points; that there are finitely many is certain, as the radius grows.
+/// ball of a support and one more point is found in rationals. A step takes O(n). A few steps are mostly enough for any
+/// number of points, as each takes the point furthest outside (where doubles decide, that but for
+/// rounding); that there are finitely many is certain, as the radius grows.
 /// Source: Welzl 1991 (bases); Gaertner 1999 (furthest points as pivots).
 /// @throws InputError  there is no point, or one is not finite (names it); Cancelled
 SmallestBall smallest_ball(std::span<const Point3> points, const Context& context);

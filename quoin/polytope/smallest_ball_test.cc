@@ -190,7 +190,7 @@ TEST(SmallestBall, FilterIsRight) {
   points.push_back({1, 0, 0});
   points.push_back({-1, 0, 0});
   points.push_back({0, 1, 0});
-  const SmallestBall unit{{}, Rational(1), {2000, 2001}};
+  const SmallestBall unit{{}, Rational(1), {2000, 2001}, 0};
   const auto is_outside = [&](std::uint32_t i) {
     return squared_distance(exact_point(points[i]), unit.center) > unit.squared_radius;
   };
@@ -200,7 +200,7 @@ TEST(SmallestBall, FilterIsRight) {
   std::erase_if(points,
                 [&](const Point3& p) { return squared_distance(exact_point(p), unit.center) > unit.squared_radius; });
   const auto last = static_cast<std::uint32_t>(points.size() - 1);
-  const SmallestBall again{{}, Rational(1), {last - 2, last - 1}};
+  const SmallestBall again{{}, Rational(1), {last - 2, last - 1}, 0};
   const BallFilter::Outcome none = BallFilter(points).find_outside(again, one_thread);
   EXPECT_EQ(none.outside, BallFilter::nobody);
   EXPECT_EQ(none.open, (std::vector<std::uint32_t>{last - 2, last - 1, last}));
@@ -208,16 +208,36 @@ TEST(SmallestBall, FilterIsRight) {
 
 TEST(SmallestBall, OfManyPointsTakesFewSteps) {
   Random random(11);
-  Points points;
-  for (int i = 0; i < 100000; ++i) {
-    const auto draw = [&] { return std::ldexp(static_cast<double>(random() >> 11), -53); };
-    const double x = draw();
-    const double y = draw();
-    points.push_back({x, y, draw()});
+  const auto draw = [&] { return std::ldexp(static_cast<double>(random() >> 11), -53); };
+  for (const double height : {1.0, 0x1p-20, 0x1p20}) {
+    SCOPED_TRACE(height);
+    Points points;
+    for (int i = 0; i < 50000; ++i) {
+      const double x = draw();
+      const double y = draw();
+      points.push_back({x, y, draw() * height});
+    }
+    const SmallestBall ball = smallest_ball(points, one_thread);
+    EXPECT_EQ(BallFilter(points).find_outside(ball, one_thread).outside, BallFilter::nobody);
+    EXPECT_GE(ball.support.size(), 2U);
+    EXPECT_GE(ball.steps, ball.support.size() - 1);
+    EXPECT_LE(ball.steps, 20U);
   }
-  const SmallestBall ball = smallest_ball(points, one_thread);
-  EXPECT_EQ(BallFilter(points).find_outside(ball, one_thread).outside, BallFilter::nobody);
-  EXPECT_GE(ball.support.size(), 2U);
+}
+
+/// Each point is outside of the ball of those before it by less than what doubles or pairs of them tell: rationals find
+/// the last, which is furthest.
+TEST(SmallestBall, FurthestOfPointsThatOnlyRationalsTellApart) {
+  Points points{{-1, 0, 0}, {1, 0, 0}};
+  const double d = 0x1p-530;
+  for (int k = 1; k <= 300; ++k) points.push_back({k * d, 1, k * k * d * 0x1p-16});
+  const SmallestBall ball = checked(points);
+  EXPECT_LE(ball.steps, 8U);
+  EXPECT_TRUE(std::ranges::count(ball.support, points.size() - 1) == 1);
+  std::reverse(points.begin(), points.end());
+  const SmallestBall same = checked(points);
+  EXPECT_EQ(same.center, ball.center);
+  EXPECT_LE(same.steps, 8U);
 }
 
 TEST(SmallestBall, RefusesNothingAndWhatIsNotFinite) {
