@@ -14,21 +14,23 @@ MapOverlay::MapOverlay(const PolytopeShape& p, const PolytopeShape& q, MapPredic
     : p_(p),
       q_(q),
       predicates_(predicates),
+      context_(context),
       begin_on_p_(p.halfedges().size(), not_walked),
       count_on_p_(p.halfedges().size(), 0),
       region_of_p_facet_(p.facet_count(), none),
       region_of_q_facet_(q.facet_count(), none),
       from_region_(p.vertex_count(), none),
       is_led_to_(p.vertex_count(), false) {
-  walk_all(context);
+  walk_all();
   order_on_q();
   find_regions_of_q_facets();
 }
 
 /// That of the first facet of P, by climbing.
-std::uint32_t MapOverlay::first_region() const {
+std::uint32_t MapOverlay::first_region() {
   std::uint32_t region = 0;
   for (std::uint32_t k = q_.first_out(region); k < q_.end_out(region);) {
+    count_predicate();
     if (predicates_.side_of_normal(0, k) == Sign::positive) {
       region = q_.halfedges()[k].head;
       k = q_.first_out(region);
@@ -40,11 +42,11 @@ std::uint32_t MapOverlay::first_region() const {
 }
 
 /// Breadth first, so that the regions in hand stay near.
-void MapOverlay::walk_all(const Context& context) {
+void MapOverlay::walk_all() {
   std::vector<std::uint32_t> queue{0};
   region_of_p_facet_[0] = first_region();
   for (std::size_t i = 0; i < queue.size(); ++i) {
-    if (i % 64 == 0) context.poll();
+    if (i % 64 == 0) context_.poll();
     const std::uint32_t facet = queue[i];
     const std::uint32_t first = p_.first_halfedge(facet);
     std::uint32_t h = first;
@@ -75,7 +77,9 @@ std::uint32_t MapOverlay::walk(std::uint32_t halfedge, std::uint32_t region) {
   for (;;) {
     std::uint32_t best = none;
     for (std::uint32_t k = q_.first_out(region); k < q_.end_out(region); ++k) {
-      if (k == back || predicates_.side_of_normal(target, k) != Sign::positive) continue;
+      if (k == back) continue;
+      count_predicate();
+      if (predicates_.side_of_normal(target, k) != Sign::positive) continue;
       if (best == none || predicates_.order_along_arc(halfedge, k, best) == Sign::positive) best = k;
     }
     if (best == none) break;

@@ -50,8 +50,12 @@ class MapOverlay {
   static constexpr std::uint32_t not_walked = 0xFFFFFFFFU;
   static constexpr std::uint32_t none = 0xFFFFFFFFU;
 
-  std::uint32_t first_region() const;
-  void walk_all(const Context& context);
+  /// Before each predicate: one facet may take as many as its edges times the degree of a vertex.
+  void count_predicate() {
+    if (++predicate_count_ % 256 == 0) context_.poll();
+  }
+  std::uint32_t first_region();
+  void walk_all();
   std::uint32_t walk(std::uint32_t halfedge, std::uint32_t region);
   std::pair<std::uint32_t, std::uint32_t> regions_of(std::uint32_t crossing) const;
   void order_on_q();
@@ -61,6 +65,8 @@ class MapOverlay {
   const PolytopeShape& p_;
   const PolytopeShape& q_;
   MapPredicates& predicates_;
+  const Context& context_;
+  std::size_t predicate_count_ = 0;
   std::vector<Crossing> crossings_;
   std::vector<std::uint32_t> begin_on_p_;
   std::vector<std::uint32_t> count_on_p_;

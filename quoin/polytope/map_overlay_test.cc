@@ -5,11 +5,14 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "quoin/arrangement/geodesic/geodesic_polygon_set.h"
+#include "quoin/base/error.h"
 #include "quoin/base/test_rounds.h"
 #include "quoin/polytope/gaussian_map.h"
 #include "quoin/polytope/minkowski_sum.h"
@@ -75,6 +78,28 @@ TEST(MapOverlay, HasThemInGeneralPosition) {
       return points;
     };
     ASSERT_NO_FATAL_FAILURE(check_overlay(draw(), draw()));
+  }
+}
+
+// One facet of as many edges as the vertex has whose region they leave: 4 * 10^8 signs, a second or more.
+TEST(MapOverlay, MayBeCancelledWithinAFacet) {
+  constexpr int count = tests_take_fewer_rounds ? 8000 : 20000;
+  const auto cone = [](double apex, double turn) {
+    Points points{{0, 0, apex}};
+    for (int i = 0; i < count; ++i) {
+      const double angle = turn + 2 * 3.14159265358979323846 / count * i;
+      points.push_back({std::cos(angle), std::sin(angle), 0});
+    }
+    return Polytope::hull_of(points, one_thread);
+  };
+  const Polytope up = cone(1, 0);
+  const Polytope down = cone(-1, 1e-5);
+  for (const auto& [p, q] : {std::pair{&up, &down}, {&down, &up}}) {
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point start = Clock::now();
+    const Context context({.threads = 1, .timeout = std::chrono::milliseconds(20)});
+    EXPECT_THROW(minkowski_sum(*p, *q, context), Cancelled);
+    EXPECT_LT(Clock::now() - start, std::chrono::milliseconds(500));
   }
 }
 
