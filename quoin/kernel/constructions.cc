@@ -44,9 +44,10 @@ ExactTable<Numbers> table_of_doubles(const std::vector<Point3>& points, std::vec
 
 /// What rounding to nearest cut off, if doubles hold that too.
 std::optional<std::vector<Point3>> tails_of(const std::vector<RationalPoint3>& points,
-                                            const std::vector<Point3>& rounded) {
+                                            const std::vector<Point3>& rounded, const Context* context) {
   std::vector<Point3> tails(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
+    if (context != nullptr && i % 256 == 0) context->poll();
     for (unsigned axis = 0; axis < 3; ++axis) {
       if (!std::isfinite(rounded[i][axis])) return std::nullopt;
       const Rational rest = points[i][axis] - Rational(rounded[i][axis]);
@@ -88,15 +89,16 @@ Constructions::Constructions(std::vector<Point3> explicit_points) : Construction
   set_doubles(std::move(explicit_points), {});
 }
 
-Constructions::Constructions(std::vector<RationalPoint3> explicit_points) : Constructions() {
+Constructions::Constructions(std::vector<RationalPoint3> explicit_points, const Context* context) : Constructions() {
   std::vector<Point3> rounded;
   rounded.reserve(explicit_points.size());
   double largest = 0;
   for (const RationalPoint3& p : explicit_points) {
+    if (context != nullptr && rounded.size() % 256 == 0) context->poll();
     rounded.push_back({p.x.to_double() + 0.0, p.y.to_double() + 0.0, p.z.to_double() + 0.0});
     largest = std::max(largest, filter::max_abs(rounded.back()));
   }
-  if (auto tails = tails_of(explicit_points, rounded)) {
+  if (auto tails = tails_of(explicit_points, rounded, context)) {
     if (std::all_of(tails->begin(), tails->end(), [](const Point3& t) { return t == Point3{}; })) tails->clear();
     set_doubles(std::move(rounded), std::move(*tails));
     return;

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "quoin/base/context.h"
 #include "quoin/base/id.h"
 #include "quoin/base/sign.h"
 #include "quoin/kernel/constructions_counts.h"
@@ -53,7 +54,8 @@ class Constructions {
   /// Explicit points are rationals (solids read from the exact text form, sums of points). Where all coordinates are
   /// sums of two doubles, the nearest one and the rest, they have a grid class as doubles have; else every predicate is
   /// exact rational arithmetic. The same filters go before (with the bound for rounded points where some are rounded).
-  explicit Constructions(std::vector<RationalPoint3> explicit_points);
+  /// @throws Cancelled  through the context, if there is one
+  explicit Constructions(std::vector<RationalPoint3> explicit_points, const Context* context = nullptr);
   Constructions(const Constructions&) = delete;
   Constructions& operator=(const Constructions&) = delete;
   Constructions(Constructions&&) noexcept;

@@ -69,11 +69,19 @@ Rational scaled(const Rational& x, int exponent) {
 
 }  // namespace
 
-BallFilter::BallFilter(std::span<const Point3> points) : points_(points.begin(), points.end()) {
+BallFilter::BallFilter(std::span<const Point3> points, const Context& context) {
   double largest = 0;
-  for (const Point3& p : points_) largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (i % block == 0) context.poll();
+    const Point3& p = points[i];
+    largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+  }
   if (largest > 0) exponent_ = -(std::ilogb(largest) + 1);
-  for (Point3& p : points_) p = {scaled(p.x, exponent_), scaled(p.y, exponent_), scaled(p.z, exponent_)};
+  points_.reserve(points.size());
+  for (const Point3& p : points) {
+    if (points_.size() % block == 0) context.poll();
+    points_.push_back({scaled(p.x, exponent_), scaled(p.y, exponent_), scaled(p.z, exponent_)});
+  }
 }
 
 BallFilter::Sphere BallFilter::sphere_of(const SmallestBall& ball) const {
@@ -90,7 +98,7 @@ BallFilter::Outcome BallFilter::find_outside(const SmallestBall& ball, const Con
   const Sphere sphere = sphere_of(ball);
   Outcome first = in_doubles(sphere, context);
   if (first.outside != nobody || first.open.empty()) return first;
-  return in_pairs(sphere, first.open);
+  return in_pairs(sphere, first.open, context);
 }
 
 BallFilter::Outcome BallFilter::in_doubles(const Sphere& sphere, const Context& context) const {
@@ -114,10 +122,13 @@ BallFilter::Outcome BallFilter::in_doubles(const Sphere& sphere, const Context& 
   return outcome;
 }
 
-BallFilter::Outcome BallFilter::in_pairs(const Sphere& sphere, const std::vector<std::uint32_t>& candidates) const {
+BallFilter::Outcome BallFilter::in_pairs(const Sphere& sphere, const std::vector<std::uint32_t>& candidates,
+                                         const Context& context) const {
   Outcome outcome;
   double furthest = 0;
+  std::size_t polled = 0;
   for (const std::uint32_t i : candidates) {
+    if (polled++ % block == 0) context.poll();
     const Height h = height(points_[i], sphere.on, sphere.center);
     if (h.value > h.bound && h.value > furthest) {
       furthest = h.value;

@@ -21,8 +21,8 @@ namespace quoin {
 /// is below the constants of the bounds. u = 2^-53.
 class BallFilter {
  public:
-  /// All points finite.
-  explicit BallFilter(std::span<const Point3> points);
+  /// All points finite. @throws Cancelled
+  BallFilter(std::span<const Point3> points, const Context& context);
 
   static constexpr std::uint32_t nobody = 0xFFFFFFFFU;
 
@@ -40,7 +40,7 @@ class BallFilter {
   };
   Sphere sphere_of(const SmallestBall& ball) const;
   Outcome in_doubles(const Sphere& sphere, const Context& context) const;
-  Outcome in_pairs(const Sphere& sphere, const std::vector<std::uint32_t>& candidates) const;
+  Outcome in_pairs(const Sphere& sphere, const std::vector<std::uint32_t>& candidates, const Context& context) const;
 
   std::vector<Point3> points_;
   int exponent_ = 0;  // of the power of two

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "quoin/base/error.h"
@@ -25,6 +26,7 @@ class TableHull {
       : table_(table), ids_(ids), context_(context) {
     rounded_.reserve(ids.size());
     for (const PointId id : ids) {
+      if (rounded_.size() % 256 == 0) context.poll();
       const Point3& p = table.rounded(id);
       if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
         throw InputError("point " + std::to_string(rounded_.size()) + " is beyond the range of doubles");
@@ -69,10 +71,11 @@ ConvexHull TableHull::solid() const {
   std::vector<Point3> rounded;
   std::vector<PointId> ids;
   for (const std::uint32_t i : order) {
+    if (ids.size() % 256 == 0) context_.poll();
     rounded.push_back(rounded_[i]);
     ids.push_back(ids_[i]);
   }
-  HullBuilder builder(rounded, table_, ids);
+  HullBuilder builder(rounded, table_, ids, context_);
   for (std::uint32_t i = 4; i < order.size(); ++i) {
     if (i % 64 == 0) context_.poll();
     builder.insert(i);
@@ -82,7 +85,12 @@ ConvexHull TableHull::solid() const {
 
 /// Projected along the first axis that its normal is not perpendicular to.
 ConvexHull TableHull::flat() const {
+  std::size_t asked = 0;
+  const auto poll_for_some = [&] {
+    if (++asked % 256 == 0) context_.poll();
+  };
   const auto turn = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, unsigned axis) {
+    poll_for_some();
     return table_.turn_any(ids_[a], ids_[b], ids_[c], axis);
   };
   const auto& [a, b, c, unused] = simplex_.points;
@@ -91,6 +99,7 @@ ConvexHull TableHull::flat() const {
   const unsigned first = (axis + 1) % 3;
   const unsigned second = (axis + 2) % 3;
   const auto order_of = [&](std::uint32_t i, std::uint32_t k) {
+    poll_for_some();
     const Sign sign = table_.compare(ids_[i], ids_[k], first);
     return sign != Sign::zero ? sign : table_.compare(ids_[i], ids_[k], second);
   };
@@ -103,7 +112,7 @@ ConvexHull TableHull::flat() const {
   const auto is_equal = [&](std::uint32_t i, std::uint32_t k) { return order_of(i, k) == Sign::zero; };
   order.erase(std::unique(order.begin(), order.end(), is_equal), order.end());
   return hull_of_polygon(planar_hull_of_sorted(
-      order, [&](std::uint32_t i, std::uint32_t k, std::uint32_t l) { return turn(i, k, l, axis); }));
+      order, [&](std::uint32_t i, std::uint32_t k, std::uint32_t l) { return turn(i, k, l, axis); }, context_));
 }
 
 }  // namespace
@@ -113,9 +122,16 @@ ConvexHull convex_hull(const Constructions& table, std::span<const PointId> poin
 }
 
 ConvexHull convex_hull(std::span<const RationalPoint3> points, const Context& context) {
-  const Constructions table(std::vector<RationalPoint3>(points.begin(), points.end()));
+  std::vector<RationalPoint3> copies;
+  copies.reserve(points.size());
   std::vector<PointId> ids;
-  for (std::size_t i = 0; i < points.size(); ++i) ids.push_back(PointId(i));
+  ids.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (i % 256 == 0) context.poll();
+    copies.push_back(points[i]);
+    ids.push_back(PointId(i));
+  }
+  const Constructions table(std::move(copies), &context);
   return convex_hull(table, ids, context);
 }
 

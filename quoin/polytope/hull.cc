@@ -71,14 +71,21 @@ ConvexHull hull_of_flat(std::span<const Point3> points, const Simplex& simplex, 
   const unsigned axis = axis_to_drop(points[simplex.points[0]], points[simplex.points[1]], points[simplex.points[2]]);
   std::vector<Point2> flat;
   flat.reserve(points.size());
-  for (const Point3& p : points) flat.push_back({p[(axis + 1) % 3], p[(axis + 2) % 3]});
+  for (const Point3& p : points) {
+    if (flat.size() % 16384 == 0) context.poll();
+    flat.push_back({p[(axis + 1) % 3], p[(axis + 2) % 3]});
+  }
   return hull_of_polygon(planar_hull(flat, context));
 }
 
 /// Four of the simplex first, then the others.
-std::vector<std::uint32_t> after_simplex(const Simplex& simplex, std::span<const std::uint32_t> others) {
+std::vector<std::uint32_t> after_simplex(const Simplex& simplex, std::span<const std::uint32_t> others,
+                                         const Context& context) {
   std::vector<std::uint32_t> order(simplex.points.begin(), simplex.points.end());
+  order.reserve(others.size());
+  std::size_t polled = 0;
   for (const std::uint32_t i : others) {
+    if (polled++ % 16384 == 0) context.poll();
     if (std::find(simplex.points.begin(), simplex.points.end(), i) == simplex.points.end()) order.push_back(i);
   }
   return order;
@@ -96,8 +103,8 @@ LargeVector<Point3> gather(std::span<const Point3> points, std::span<const std::
 /// All points but those that are surely inside the hull of a few, if these are many.
 std::vector<std::uint32_t> candidates(std::span<const Point3> points, double largest, const Simplex& simplex,
                                       const Context& context) {
-  const LargeVector<Point3> few = gather(points, after_simplex(simplex, extremes(points, context)), context);
-  HullBuilder small(few);
+  const LargeVector<Point3> few = gather(points, after_simplex(simplex, extremes(points, context), context), context);
+  HullBuilder small(few, context);
   for (std::uint32_t i = 4; i < few.size(); ++i) small.insert(i);
   const HullFilter filter(small, largest);
   std::vector<std::uint32_t> result;
@@ -121,7 +128,7 @@ RandomOrder order_after_simplex(std::span<const Point3> points, double largest, 
   std::iota(chosen.begin(), chosen.end(), 0U);
   if (points.size() >= many_points) chosen = candidates(points, largest, simplex, context);
   RandomOrder order = biased_random_order(points, chosen, context);
-  order.points = after_simplex(simplex, order.points);
+  order.points = after_simplex(simplex, order.points, context);
   return order;
 }
 
@@ -129,7 +136,7 @@ ConvexHull hull_of_solid(std::span<const Point3> points, double largest, const S
                          const Context& context) {
   const auto [order, round_begin] = order_after_simplex(points, largest, simplex, context);
   const LargeVector<Point3> ordered = gather(points, order, context);
-  HullBuilder builder(ordered);
+  HullBuilder builder(ordered, context);
   builder.reserve(ordered.size());
   for (std::size_t round = 0; round < RandomOrder::rounds; ++round) {
     // Where rounds begin does not matter to a few points, of which four may have been in the simplex.
@@ -158,6 +165,7 @@ ConvexHull convex_hull(std::span<const Point3> points, const Context& context) {
 
 ConvexHull convex_hull(std::span<const Point2> points, const Context& context) {
   for (std::size_t i = 0; i < points.size(); ++i) {
+    if (i % 16384 == 0) context.poll();
     if (!is_finite({points[i].x, points[i].y, 0})) refuse(i);
   }
   const std::vector<std::uint32_t> around = planar_hull(points, context);

@@ -23,19 +23,24 @@ Sign exact_orientation(const RationalPoint3& a, const RationalPoint3& b, const R
 
 }  // namespace
 
-HullBuilder::HullBuilder(std::span<const Point3> points) : points_(points) {
-  start();
+HullBuilder::HullBuilder(std::span<const Point3> points, const Context& context) : points_(points) {
+  start(context);
   find_centre();
 }
 
-HullBuilder::HullBuilder(std::span<const Point3> rounded, const Constructions& table, std::span<const PointId> ids)
+HullBuilder::HullBuilder(std::span<const Point3> rounded, const Constructions& table, std::span<const PointId> ids,
+                         const Context& context)
     : points_(rounded), table_(&table), ids_(ids) {
-  start();
+  start(context);
 }
 
-void HullBuilder::start() {
-  for (const Point3& p : points_) {
-    largest_ = std::max({largest_, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+void HullBuilder::start(const Context& context) {
+  constexpr std::size_t block = 1U << 14;
+  for (std::size_t begin = 0; begin < points_.size(); begin += block) {
+    context.poll();
+    for (const Point3& p : points_.subspan(begin, std::min(block, points_.size() - begin))) {
+      largest_ = std::max({largest_, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+    }
   }
   std::array<std::uint32_t, 4> p{0, 1, 2, 3};
   if (orientation_of(0, 1, 2, 3) == Sign::positive) std::swap(p[1], p[2]);

@@ -35,9 +35,11 @@ class HullBuilder {
   };
 
   /// The points stay where they are while the builder lives. The first four are affinely independent.
-  explicit HullBuilder(std::span<const Point3> points);
+  /// @throws Cancelled
+  HullBuilder(std::span<const Point3> points, const Context& context);
   /// Of points of a table, by their rounded coordinates and their ids; both stay where they are.
-  HullBuilder(std::span<const Point3> rounded, const Constructions& table, std::span<const PointId> ids);
+  HullBuilder(std::span<const Point3> rounded, const Constructions& table, std::span<const PointId> ids,
+              const Context& context);
 
   /// For as many points on the hull.
   void reserve(std::size_t vertices);
@@ -110,7 +112,7 @@ class HullBuilder {
     const Plane& plane = planes_[triangle];
     return plane.x * p.x + plane.y * p.y + plane.z * p.z - plane.offset;
   }
-  void start();
+  void start(const Context& context);
   Sign orientation_of(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const;
   RationalPoint3 exact(std::uint32_t point) const;
   Sign exact_side(std::uint32_t triangle, std::uint32_t point) const;

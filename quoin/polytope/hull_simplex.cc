@@ -65,6 +65,7 @@ Simplex find_simplex_by(std::span<const Point3> points, const Signs& signs, cons
   std::uint32_t least = 0;
   std::uint32_t largest = 0;
   for (std::uint32_t i = 1; i < points.size(); ++i) {
+    if (i % 256 == 0) context.poll();
     if (signs.is_less(i, least)) least = i;
     if (signs.is_less(largest, i)) largest = i;
   }

@@ -275,7 +275,7 @@ TEST(ConvexHull, TinyTrianglesSeeHugePointsRightly) {
       const int b = below(random, 99) - 49;
       points.push_back(scaled({a * v.x + b * w.x, a * v.y + b * w.y, a * v.z + b * w.z + i % 3 - 1}, 960));
     }
-    const HullBuilder builder(points);
+    const HullBuilder builder(points, one_thread);
     for (std::uint32_t t = 0; t < builder.triangles().size(); ++t) {
       const auto& [a, b, c] = builder.triangles()[t].corners;
       for (std::uint32_t p = 0; p < points.size(); ++p) {

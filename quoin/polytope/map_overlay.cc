@@ -102,12 +102,19 @@ std::pair<std::uint32_t, std::uint32_t> MapOverlay::regions_of(std::uint32_t cro
 void MapOverlay::order_on_q() {
   const auto forward = [&](std::uint32_t q) { return std::min(q, q_.halfedges()[q].twin); };
   begin_on_q_.assign(q_.halfedges().size() + 1, 0);
-  for (const Crossing& crossing : crossings_) ++begin_on_q_[forward(crossing.q) + 1];
+  for (std::uint32_t x = 0; x < crossings_.size(); ++x) {
+    if (x % 4096 == 0) context_.poll();
+    ++begin_on_q_[forward(crossings_[x].q) + 1];
+  }
   std::partial_sum(begin_on_q_.begin(), begin_on_q_.end(), begin_on_q_.begin());
   on_q_.resize(crossings_.size());
   std::vector<std::uint32_t> end(begin_on_q_);
-  for (std::uint32_t x = 0; x < crossings_.size(); ++x) on_q_[end[forward(crossings_[x].q)]++] = x;
+  for (std::uint32_t x = 0; x < crossings_.size(); ++x) {
+    if (x % 4096 == 0) context_.poll();
+    on_q_[end[forward(crossings_[x].q)]++] = x;
+  }
   for (std::size_t q = 0; q + 1 < begin_on_q_.size(); ++q) {
+    if (q % 512 == 0) context_.poll();
     const std::uint32_t count = begin_on_q_[q + 1] - begin_on_q_[q];
     if (count > 1) order_chain({on_q_.data() + begin_on_q_[q], count});
   }
@@ -149,12 +156,14 @@ void MapOverlay::find_regions_of_q_facets() {
   };
   const auto halfedges = q_.halfedges();
   for (std::uint32_t q = 0; q < halfedges.size(); ++q) {
+    if (q % 512 == 0) context_.poll();
     const auto chain = on_q(q);
     if (chain.empty()) continue;
     set(halfedges[q].facet, regions_of(chain.front()).first);
     set(halfedges[halfedges[q].twin].facet, regions_of(chain.back()).second);
   }
-  while (!waiting.empty()) {
+  for (std::size_t taken = 0; !waiting.empty(); ++taken) {
+    if (taken % 512 == 0) context_.poll();
     const std::uint32_t facet = waiting.back();
     waiting.pop_back();
     const std::uint32_t first = q_.first_halfedge(facet);

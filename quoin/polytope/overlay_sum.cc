@@ -52,6 +52,7 @@ class OverlayGraph {
 
   std::uint32_t add_arc(std::uint32_t from, std::uint32_t to, const Label& left, const Label& right) {
     const auto dart = static_cast<std::uint32_t>(origin_.size());
+    if (dart % 512 == 0) context_.poll();
     origin_.push_back(from);
     origin_.push_back(to);
     left_.push_back(left);
@@ -155,6 +156,7 @@ void OverlayGraph::link_ring(std::span<const std::uint32_t> ring) {
 void OverlayGraph::link_facets(const PolytopeShape& polytope, std::span<const std::uint32_t> darts) {
   std::vector<std::uint32_t> ring;
   for (std::uint32_t f = 0; f < polytope.facet_count(); ++f) {
+    if (f % 512 == 0) context_.poll();
     ring.clear();
     std::uint32_t h = polytope.first_halfedge(f);
     do {
@@ -169,6 +171,7 @@ void OverlayGraph::link_facets(const PolytopeShape& polytope, std::span<const st
 /// arc numbered just before; arcs of Q likewise.
 void OverlayGraph::link_crossings() {
   for (std::uint32_t x = 0; x < crossings().size(); ++x) {
+    if (x % 512 == 0) context_.poll();
     const std::uint32_t p_out = out_on_p_[x];
     const std::uint32_t p_back = p_out - 1;
     std::uint32_t q_out = out_on_q_[x];
@@ -212,6 +215,7 @@ bool OverlayGraph::has_length(std::uint32_t dart) const {
 void OverlayGraph::contract(DisjointSets& classes) const {
   std::vector<bool> is_parallel(crossings().size());
   for (std::uint32_t x = 0; x < crossings().size(); ++x) {
+    if (x % 256 == 0) context_.poll();
     is_parallel[x] = are_parallel(p_.edge(crossings()[x].p), q_.edge(crossings()[x].q));
     if (is_parallel[x]) classes.unite(crossing_node(x), origin_[out_on_p_[x] - 2]);
   }
@@ -263,8 +267,8 @@ void OverlayGraph::trace_regions(PolytopeSum& result, DisjointSets& classes) {
   std::vector<bool> is_done(count, false);
   std::vector<std::uint32_t> region;
   for (std::uint32_t first = 0; first < count; ++first) {
-    if (is_done[first]) continue;
     if (first % 512 == 0) context_.poll();
+    if (is_done[first]) continue;
     region.clear();
     std::uint32_t dart = first;
     do {
@@ -289,6 +293,7 @@ void OverlayGraph::trace_regions(PolytopeSum& result, DisjointSets& classes) {
 void OverlayGraph::trace_facets(PolytopeSum& result) {
   std::vector<bool> is_done(origin_.size(), false);
   for (std::uint32_t first = 0; first < origin_.size(); ++first) {
+    if (first % 512 == 0) context_.poll();
     if (is_done[first] || previous_[first] == none) continue;
     std::uint32_t dart = first;
     do {
@@ -302,9 +307,10 @@ void OverlayGraph::trace_facets(PolytopeSum& result) {
 
 /// Both have the same vertices, edges and facets by number, and edges of one number are parallel: so are facets. Equal
 /// and homothetic polytopes whose vertices come in one order are of this kind, and parallel boxes.
-bool have_equal_maps(const PolytopeShape& p, const PolytopeShape& q) {
+bool have_equal_maps(const PolytopeShape& p, const PolytopeShape& q, const Context& context) {
   if (p.dimension() != q.dimension() || p.halfedges().size() != q.halfedges().size()) return false;
   for (std::uint32_t h = 0; h < p.halfedges().size(); ++h) {
+    if (h % 256 == 0) context.poll();
     const PolytopeShape::Halfedge& a = p.halfedges()[h];
     const PolytopeShape::Halfedge& b = q.halfedges()[h];
     if (a.tail != b.tail || a.head != b.head || a.twin != b.twin || a.facet != b.facet || a.next != b.next)
@@ -314,12 +320,13 @@ bool have_equal_maps(const PolytopeShape& p, const PolytopeShape& q) {
   return true;
 }
 
-PolytopeSum sum_of_equal_maps(const PolytopeShape& p) {
+PolytopeSum sum_of_equal_maps(const PolytopeShape& p, const Context& context) {
   PolytopeSum sum;
   sum.dimension = 3;
   sum.has_ties = true;
   for (std::uint32_t v = 0; v < p.vertex_count(); ++v) sum.vertices.push_back({v, v});
   for (std::uint32_t f = 0; f < p.facet_count(); ++f) {
+    if (f % 512 == 0) context.poll();
     std::uint32_t h = p.first_halfedge(f);
     do {
       sum.corners.push_back(p.halfedges()[h].tail);
@@ -333,7 +340,7 @@ PolytopeSum sum_of_equal_maps(const PolytopeShape& p) {
 }  // namespace
 
 PolytopeSum overlay_sum(const PolytopeShape& p, const PolytopeShape& q, const Context& context) {
-  if (have_equal_maps(p, q)) return sum_of_equal_maps(p);
+  if (have_equal_maps(p, q, context)) return sum_of_equal_maps(p, context);
   return OverlayGraph(p, q, context).sum();
 }
 

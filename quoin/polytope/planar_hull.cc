@@ -18,9 +18,10 @@ std::vector<std::uint32_t> planar_hull(std::span<const Point2> points, const Con
   });
   const auto is_equal = [&](std::uint32_t a, std::uint32_t b) { return points[a] == points[b]; };
   order.erase(std::unique(order.begin(), order.end(), is_equal), order.end());
-  return planar_hull_of_sorted(order, [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+  const auto turn = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     return orientation(points[a], points[b], points[c]);
-  });
+  };
+  return planar_hull_of_sorted(order, turn, context);
 }
 
 }  // namespace quoin

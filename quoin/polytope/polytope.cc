@@ -31,39 +31,55 @@ Polytope Polytope::hull_of(std::span<const Point3> points, const Context& contex
 }
 
 Polytope Polytope::hull_of(std::span<const RationalPoint3> points, const Context& context) {
-  if (const auto doubles = as_doubles(points)) return hull_of(*doubles, context);
+  if (const auto doubles = as_doubles(points, &context)) return hull_of(*doubles, context);
   Polytope result = of_hull(convex_hull(points, context));
   std::vector<RationalPoint3> vertices;
-  for (const std::uint32_t v : result.sources_) vertices.push_back(points[v]);
-  result.set_vertices(std::move(vertices));
+  for (const std::uint32_t v : result.sources_) {
+    if (vertices.size() % 256 == 0) context.poll();
+    vertices.push_back(points[v]);
+  }
+  result.set_vertices(std::move(vertices), context);
   return result;
 }
 
 Polytope Polytope::hull_of(const Constructions& table, std::span<const PointId> points, const Context& context) {
   Polytope result = of_hull(convex_hull(table, points, context));
   std::vector<RationalPoint3> vertices;
-  for (const std::uint32_t v : result.sources_) vertices.push_back(table.exact(points[v]));
-  result.set_vertices(std::move(vertices));
+  for (const std::uint32_t v : result.sources_) {
+    if (vertices.size() % 256 == 0) context.poll();
+    vertices.push_back(table.exact(points[v]));
+  }
+  result.set_vertices(std::move(vertices), context);
   return result;
 }
 
-void Polytope::set_vertices(std::vector<RationalPoint3> exact) {
-  vertices_ = nullptr;
-  vectors_ = nullptr;
-  edges_.clear();
-  if (auto doubles = as_doubles(exact)) {
+void Polytope::set_vertices(std::vector<RationalPoint3> exact, const Context& context) {
+  const auto poll_for_some = [&](std::size_t i) {
+    if (i % 256 == 0) context.poll();
+  };
+  if (auto doubles = as_doubles(exact, &context)) {
     points_ = std::move(*doubles);
     set_vectors();
     return;
   }
   std::vector<RationalPoint3> vectors;
   vectors.reserve(halfedges().size());
-  for (const Halfedge& h : halfedges()) vectors.push_back(exact[h.head] - exact[h.tail]);
+  for (const Halfedge& h : halfedges()) {
+    poll_for_some(vectors.size());
+    vectors.push_back(exact[h.head] - exact[h.tail]);
+  }
   std::vector<Point3> rounded;
-  for (const RationalPoint3& p : exact) rounded.push_back({p.x.to_double(), p.y.to_double(), p.z.to_double()});
+  rounded.reserve(exact.size());
+  for (const RationalPoint3& p : exact) {
+    poll_for_some(rounded.size());
+    rounded.push_back({p.x.to_double(), p.y.to_double(), p.z.to_double()});
+  }
   vectors_ = std::make_shared<const std::vector<RationalPoint3>>(std::move(vectors));
   vertices_ = std::make_shared<const RationalVertices>(RationalVertices{std::move(exact), std::move(rounded)});
-  for (const RationalPoint3& v : *vectors_) edges_.push_back(edge_vector(v));
+  for (const RationalPoint3& v : *vectors_) {
+    poll_for_some(edges_.size());
+    edges_.push_back(edge_vector(v));
+  }
   set_vectors();
 }
 

@@ -46,7 +46,7 @@ class Polytope : public PolytopeShape {
     std::vector<Point3> rounded;
   };
   static Polytope of_hull(const ConvexHull& hull);
-  void set_vertices(std::vector<RationalPoint3> exact);
+  void set_vertices(std::vector<RationalPoint3> exact, const Context& context);
 
   std::vector<std::uint32_t> sources_;
   std::shared_ptr<const RationalVertices> vertices_;            // null if all are doubles

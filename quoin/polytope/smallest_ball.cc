@@ -14,9 +14,10 @@ namespace quoin {
 
 namespace {
 
-void check(std::span<const Point3> points) {
+void check(std::span<const Point3> points, const Context& context) {
   if (points.empty()) throw InputError("there are no points that a ball could hold");
   for (std::size_t i = 0; i < points.size(); ++i) {
+    if (i % 16384 == 0) context.poll();
     const Point3& p = points[i];
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
       throw InputError("point " + std::to_string(i) + " has a coordinate that is not finite");
@@ -44,8 +45,8 @@ std::uint32_t find_outside(std::span<const Point3> points, const BallFilter& fil
 }  // namespace
 
 SmallestBall smallest_ball(std::span<const Point3> points, const Context& context) {
-  check(points);
-  const BallFilter filter(points);
+  check(points, context);
+  const BallFilter filter(points, context);
   SmallestBall ball = ball_basis::of_point(points, 0);
   while (true) {
     const std::uint32_t outside = find_outside(points, filter, ball, context);

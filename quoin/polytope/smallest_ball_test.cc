@@ -194,14 +194,14 @@ TEST(SmallestBall, FilterIsRight) {
   const auto is_outside = [&](std::uint32_t i) {
     return squared_distance(exact_point(points[i]), unit.center) > unit.squared_radius;
   };
-  const BallFilter::Outcome some = BallFilter(points).find_outside(unit, one_thread);
+  const BallFilter::Outcome some = BallFilter(points, one_thread).find_outside(unit, one_thread);
   ASSERT_NE(some.outside, BallFilter::nobody);
   EXPECT_TRUE(is_outside(some.outside));
   std::erase_if(points,
                 [&](const Point3& p) { return squared_distance(exact_point(p), unit.center) > unit.squared_radius; });
   const auto last = static_cast<std::uint32_t>(points.size() - 1);
   const SmallestBall again{{}, Rational(1), {last - 2, last - 1}, 0};
-  const BallFilter::Outcome none = BallFilter(points).find_outside(again, one_thread);
+  const BallFilter::Outcome none = BallFilter(points, one_thread).find_outside(again, one_thread);
   EXPECT_EQ(none.outside, BallFilter::nobody);
   EXPECT_EQ(none.open, (std::vector<std::uint32_t>{last - 2, last - 1, last}));
 }
@@ -218,7 +218,7 @@ TEST(SmallestBall, OfManyPointsTakesFewSteps) {
       points.push_back({x, y, draw() * height});
     }
     const SmallestBall ball = smallest_ball(points, one_thread);
-    EXPECT_EQ(BallFilter(points).find_outside(ball, one_thread).outside, BallFilter::nobody);
+    EXPECT_EQ(BallFilter(points, one_thread).find_outside(ball, one_thread).outside, BallFilter::nobody);
     EXPECT_GE(ball.support.size(), 2U);
     EXPECT_GE(ball.steps, ball.support.size() - 1);
     EXPECT_LE(ball.steps, 20U);
