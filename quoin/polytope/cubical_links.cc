@@ -114,12 +114,21 @@ void link_squares(CubicalMap& map) {
   }
 }
 
+void label_with_the_only_vertex(CubicalMap& map) {
+  for (Square& square : map.squares) {
+    for (std::size_t f = 0; f < square.vertex_of_face.size(); ++f) {
+      if (is_unlabelled(square, FaceId(f))) square.vertex_of_face[f] = 0;
+    }
+  }
+}
+
 void spread_labels(CubicalMap& map) {
   bool is_done = false;
   for (std::size_t round = 0; round < square_count && !is_done; ++round) {
     is_done = true;
     for (std::uint8_t s = 0; s < square_count; ++s) is_done = label_from_neighbours(map, s) && is_done;
   }
+  if (!is_done) throw InternalError("a face of a cubical map has no neighbour that tells whose directions it holds");
 }
 
 std::vector<HalfedgeId> fan(const Square& square, VertexId v) {

@@ -13,8 +13,11 @@ namespace quoin::cube {
 void link_squares(CubicalMap& map);
 
 /// Labels the squares that no arc meets: each has one face, of the vertex whose face is on the other side of any of its
-/// sides.
+/// sides. Some arc meets some square. @throws InternalError  a bounded face stays without a label
 void spread_labels(CubicalMap& map);
+
+/// Labels all bounded faces of a map without arcs, which is that of a point.
+void label_with_the_only_vertex(CubicalMap& map);
 
 /// The halfedges that leave a vertex with a bounded face on their left, counterclockwise: all around an interior one,
 /// on the border from the side that has the square on its left.

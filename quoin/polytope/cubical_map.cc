@@ -114,7 +114,8 @@ CubicalMap cubical_map(const MapArcs& arcs, const Context& context) {
   const cube::Clipping clipping(arcs);
   for (std::size_t s = 0; s < cube::square_count; ++s) map.squares[s] = make_square(s, arcs, clipping, context);
   cube::link_squares(map);
-  cube::spread_labels(map);
+  if (arcs.vertex_count == 1) cube::label_with_the_only_vertex(map);
+  if (arcs.vertex_count > 1) cube::spread_labels(map);
   return map;
 }
 

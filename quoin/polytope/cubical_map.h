@@ -45,7 +45,8 @@ struct CubicalMap {
     LinearArrangement arrangement;
     std::vector<Vertex> vertices;               ///< by vertex of the arrangement, fictitious ones too
     std::vector<std::uint32_t> arc_of_edge;     ///< by edge: index into `arcs`; none: artificial
-    std::vector<std::uint32_t> vertex_of_face;  ///< by face: vertex of the polytope; none: the unbounded one
+    std::vector<std::uint32_t> vertex_of_face;  ///< by face: vertex of the polytope; none: the unbounded one, and all
+                                                ///< if there are no vertices
     std::array<dcel::VertexId, cube::corner_count> corners;
   };
 

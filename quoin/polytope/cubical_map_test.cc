@@ -126,6 +126,7 @@ void check_vertices(const CubicalMap& map, const MapArcs& arcs) {
 /// Where no normal lies on a side and no arc meets a corner: V = facets + 2 X + 24 and bounded faces = vertices + 4 + X
 /// with X crossings of arcs and sides.
 void check_generic_counts(const CubicalMap& map, const MapArcs& arcs) {
+  if (arcs.arcs.empty()) return;  // a point has no map that hangs together
   std::size_t crossings = 0;
   for (const Place& place : places_of(map)) {
     const std::size_t degree = map.squares[place.square].arrangement.cells().degree(place.vertex);
@@ -296,6 +297,25 @@ TEST(CubicalMap, CanBeCancelled) {
   Context context({.threads = 1});
   context.cancel();
   EXPECT_THROW(cubical_map(p, context), Cancelled);
+}
+
+// All directions are those of its only vertex, as on the sphere.
+TEST(CubicalMap, OfAPoint) {
+  for (const Points& points : {Points{{1, 2, 3}}, Points{{0, 0, 0}, {0, 0, 0}}}) {
+    const CubicalMap map = checked(points);
+    EXPECT_EQ(row(map.counts()), (Row{24, 48, 12}));
+    EXPECT_TRUE(facets_of_map(map).empty());
+    for (const CubicalMap::Square& square : map.squares) {
+      EXPECT_EQ(std::ranges::count(square.vertex_of_face, 0U), 1);
+    }
+  }
+}
+
+// Arcs are needed to tell several vertices apart.
+TEST(CubicalMap, RefusesVerticesWithoutArcs) {
+  MapArcs arcs;
+  arcs.vertex_count = 2;
+  EXPECT_THROW(cubical_map(arcs, one_thread), InternalError);
 }
 
 TEST(CubicalMap, OfNothingIsSixEmptySquares) {
