@@ -38,9 +38,9 @@ Polytope translated(const Polytope& p, const RationalPoint3& by, const Context& 
 }
 
 SmallestBall ball_of(const Polytope& p, const Context& context) {
-  std::vector<Point3> vertices;
+  std::vector<RationalPoint3> vertices;
   vertices.reserve(p.vertex_count());
-  for (std::uint32_t v = 0; v < p.vertex_count(); ++v) vertices.push_back(p.vertex(v));
+  for (std::uint32_t v = 0; v < p.vertex_count(); ++v) vertices.push_back(p.exact_vertex(v));
   return smallest_ball(vertices, context);
 }
 
@@ -146,6 +146,7 @@ int run_width(const Options& options, const Context& context) {
     for (const std::uint32_t v : vertices) points.push_back({p.vertex(v).x, p.vertex(v).y, p.vertex(v).z});
     return points;
   };
+  const SmallestBall ball = ball_of(p, context);
   Json report{{"width", std::sqrt(w.squared_width.to_double())},
               {"squared_width", w.squared_width.to_double()},
               {"exact_squared_width", w.squared_width.to_string()},
@@ -155,17 +156,12 @@ int run_width(const Options& options, const Context& context) {
               {"diameter", std::sqrt(diameter.squared_diameter.to_double())},
               {"exact_squared_diameter", diameter.squared_diameter.to_string()},
               {"diameter_witness", points_of(diameter.vertices)}};
-  if (p.is_rational()) {
-    warnings.emplace_back("some vertices are no doubles: only of such is the smallest ball given");
-  } else {
-    const SmallestBall ball = ball_of(p, context);
-    report["ball"] = {{"radius", std::sqrt(ball.squared_radius.to_double())},
-                      {"squared_radius", ball.squared_radius.to_double()},
-                      {"exact_squared_radius", ball.squared_radius.to_string()},
-                      {"center", as_json(ball.center)},
-                      {"exact_center", as_exact_json(ball.center)},
-                      {"witness", points_of(ball.support)}};
-  }
+  report["ball"] = {{"radius", std::sqrt(ball.squared_radius.to_double())},
+                    {"squared_radius", ball.squared_radius.to_double()},
+                    {"exact_squared_radius", ball.squared_radius.to_string()},
+                    {"center", as_json(ball.center)},
+                    {"exact_center", as_exact_json(ball.center)},
+                    {"witness", points_of(ball.support)}};
   return print(std::move(report), warnings, options);
 }
 

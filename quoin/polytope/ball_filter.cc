@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace quoin {
 
@@ -52,6 +53,17 @@ Height height(const Point3& p, const Point3& s, const std::array<TwoDoubles, 3>&
   return {sum + tails, 0x1p-96 * size + 0x1p-960};
 }
 
+/// What the heights of points that are rounded to u err by besides. That of p is (p - c)^2 - (s - c)^2: it changes by
+/// (p' - p).(p' + p - 2 c), at most 4 u for each coordinate of p and, likewise, of s: 24 u, with some to spare.
+constexpr double rounded_height = 0x1p-48;
+
+/// Of a power of two above the magnitude.
+int exponent_above(const Rational& x) {
+  if (x.sign() == Sign::zero) return std::numeric_limits<int>::min();
+  return static_cast<int>(mpz_sizeinbase(mpq_numref(x.raw()), 2)) -
+         static_cast<int>(mpz_sizeinbase(mpq_denref(x.raw()), 2)) + 1;
+}
+
 double scaled(double x, int exponent) {
   return std::ldexp(x, exponent);
 }
@@ -84,6 +96,22 @@ BallFilter::BallFilter(std::span<const Point3> points, const Context& context) {
   }
 }
 
+BallFilter::BallFilter(std::span<const RationalPoint3> points, const Context& context) : are_rounded_(true) {
+  constexpr int least = std::numeric_limits<int>::min();
+  int above = least;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (i % 256 == 0) context.poll();
+    for (unsigned axis = 0; axis < 3; ++axis) above = std::max(above, exponent_above(points[i][axis]));
+  }
+  if (above != least) exponent_ = -above;
+  points_.reserve(points.size());
+  for (const RationalPoint3& p : points) {
+    if (points_.size() % 256 == 0) context.poll();
+    const auto rounded = [&](const Rational& x) { return scaled(x, exponent_).to_double(); };
+    points_.push_back({rounded(p.x), rounded(p.y), rounded(p.z)});
+  }
+}
+
 BallFilter::Sphere BallFilter::sphere_of(const SmallestBall& ball) const {
   Sphere sphere{points_[ball.support[0]], {}};
   for (unsigned axis = 0; axis < 3; ++axis) {
@@ -97,18 +125,19 @@ BallFilter::Sphere BallFilter::sphere_of(const SmallestBall& ball) const {
 BallFilter::Outcome BallFilter::find_outside(const SmallestBall& ball, const Context& context) const {
   const Sphere sphere = sphere_of(ball);
   Outcome first = in_doubles(sphere, context);
-  if (first.outside != nobody || first.open.empty()) return first;
+  if (first.outside != nobody || first.open.empty() || are_rounded_) return first;
   return in_pairs(sphere, first.open, context);
 }
 
 BallFilter::Outcome BallFilter::in_doubles(const Sphere& sphere, const Context& context) const {
   const Point3 center{sphere.center[0].value, sphere.center[1].value, sphere.center[2].value};
+  const double more = are_rounded_ ? rounded_height : 0;
   Outcome outcome;
   double furthest = 0;
   for (std::size_t i = 0; i < points_.size(); ++i) {
     if (i % block == 0) context.poll();
     const Height h = height(points_[i], sphere.on, center);
-    if (h.value > h.bound && h.value > furthest) {
+    if (h.value > h.bound + more && h.value > furthest) {
       furthest = h.value;
       outcome.outside = static_cast<std::uint32_t>(i);
     }
@@ -117,7 +146,7 @@ BallFilter::Outcome BallFilter::in_doubles(const Sphere& sphere, const Context& 
   for (std::size_t i = 0; i < points_.size(); ++i) {
     if (i % block == 0) context.poll();
     const Height h = height(points_[i], sphere.on, center);
-    if (h.value >= -h.bound) outcome.open.push_back(static_cast<std::uint32_t>(i));
+    if (h.value >= -h.bound - more) outcome.open.push_back(static_cast<std::uint32_t>(i));
   }
   return outcome;
 }

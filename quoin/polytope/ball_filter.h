@@ -9,6 +9,7 @@
 
 #include "quoin/base/context.h"
 #include "quoin/kernel/point.h"
+#include "quoin/kernel/rational_point.h"
 #include "quoin/number/error_free.h"
 #include "quoin/polytope/smallest_ball.h"
 
@@ -23,6 +24,8 @@ class BallFilter {
  public:
   /// All points finite. @throws Cancelled
   BallFilter(std::span<const Point3> points, const Context& context);
+  /// Of rationals, by the nearest doubles after scaling: of any size. What these leave open is not asked in pairs.
+  BallFilter(std::span<const RationalPoint3> points, const Context& context);
 
   static constexpr std::uint32_t nobody = 0xFFFFFFFFU;
 
@@ -43,7 +46,8 @@ class BallFilter {
   Outcome in_pairs(const Sphere& sphere, const std::vector<std::uint32_t>& candidates, const Context& context) const;
 
   std::vector<Point3> points_;
-  int exponent_ = 0;  // of the power of two
+  int exponent_ = 0;          // of the power of two
+  bool are_rounded_ = false;  // the points
 };
 
 }  // namespace quoin

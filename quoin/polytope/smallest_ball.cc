@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "quoin/base/error.h"
+#include "quoin/polytope/as_doubles.h"
 #include "quoin/polytope/ball_basis.h"
 #include "quoin/polytope/ball_filter.h"
 
@@ -14,8 +15,12 @@ namespace quoin {
 
 namespace {
 
+void check_count(std::size_t count) {
+  if (count == 0) throw InputError("there are no points that a ball could hold");
+}
+
 void check(std::span<const Point3> points, const Context& context) {
-  if (points.empty()) throw InputError("there are no points that a ball could hold");
+  check_count(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (i % 16384 == 0) context.poll();
     const Point3& p = points[i];
@@ -25,11 +30,12 @@ void check(std::span<const Point3> points, const Context& context) {
 }
 
 /// The point furthest outside of the ball, up to the rounding of heights in doubles, or BallFilter::nobody.
-std::uint32_t find_outside(std::span<const Point3> points, const BallFilter& filter, const SmallestBall& ball,
+template <class Point>
+std::uint32_t find_outside(std::span<const Point> points, const BallFilter& filter, const SmallestBall& ball,
                            const Context& context) {
   const BallFilter::Outcome filtered = filter.find_outside(ball, context);
   if (filtered.outside != BallFilter::nobody) return filtered.outside;
-  const Point3& on = points[ball.support[0]];
+  const Point& on = points[ball.support[0]];
   std::uint32_t furthest = BallFilter::nobody;
   Rational most(0);
   for (std::size_t i = 0; i < filtered.open.size(); ++i) {
@@ -42,10 +48,8 @@ std::uint32_t find_outside(std::span<const Point3> points, const BallFilter& fil
   return furthest;
 }
 
-}  // namespace
-
-SmallestBall smallest_ball(std::span<const Point3> points, const Context& context) {
-  check(points, context);
+template <class Point>
+SmallestBall grow(std::span<const Point> points, const Context& context) {
   const BallFilter filter(points, context);
   SmallestBall ball = ball_basis::of_point(points, 0);
   while (true) {
@@ -55,6 +59,19 @@ SmallestBall smallest_ball(std::span<const Point3> points, const Context& contex
     ball = ball_basis::grown(points, ball, outside);
     ball.steps = steps;
   }
+}
+
+}  // namespace
+
+SmallestBall smallest_ball(std::span<const Point3> points, const Context& context) {
+  check(points, context);
+  return grow(points, context);
+}
+
+SmallestBall smallest_ball(std::span<const RationalPoint3> points, const Context& context) {
+  check_count(points.size());
+  if (const auto doubles = as_doubles(points, &context)) return grow(std::span<const Point3>(*doubles), context);
+  return grow(points, context);
 }
 
 }  // namespace quoin

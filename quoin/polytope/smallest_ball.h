@@ -28,10 +28,15 @@ struct SmallestBall {
 /// From ball to larger ball: the point furthest outside enters the support, until none is outside. Which side of the
 /// sphere a point is on is decided in doubles, then in pairs of doubles, and in rationals where both leave it open; the
 /// ball of a support and one more point is found in rationals. A step takes O(n). A few steps are mostly enough for any
-/// number of points, as each takes the point furthest outside (where doubles decide, that but for
-/// rounding); that there are finitely many is certain, as the radius grows.
+/// number of points, as each takes the one furthest outside (where doubles decide, but for their rounding); that there
+/// are finitely many is certain, as the radius grows.
 /// Source: Welzl 1991 (bases); Gaertner 1999 (furthest points as pivots).
 /// @throws InputError  there is no point, or one is not finite (names it); Cancelled
 SmallestBall smallest_ball(std::span<const Point3> points, const Context& context);
+
+/// Of rationals of any size, beyond the range of doubles too. Exact; where all are doubles, as fast as of these, else
+/// what the nearest doubles do not tell is decided in rationals.
+/// @throws InputError  there is no point; Cancelled
+SmallestBall smallest_ball(std::span<const RationalPoint3> points, const Context& context);
 
 }  // namespace quoin

@@ -57,18 +57,36 @@ bool surround_origin(const std::vector<RationalPoint3>& v) {
   }
 }
 
-SmallestBall checked(const Points& points) {
-  SmallestBall ball = smallest_ball(points, one_thread);
+using RationalPoints = std::vector<RationalPoint3>;
+
+RationalPoints exact(const Points& points) {
+  RationalPoints result;
+  for (const Point3& p : points) result.push_back(exact_point(p));
+  return result;
+}
+
+void check(const SmallestBall& ball, const RationalPoints& points) {
   std::vector<RationalPoint3> from_center;
   for (const std::uint32_t i : ball.support) {
-    from_center.push_back(exact_point(points[i]) - ball.center);
+    from_center.push_back(points[i] - ball.center);
     EXPECT_EQ(dot(from_center.back(), from_center.back()), ball.squared_radius);
   }
   EXPECT_TRUE(std::is_sorted(ball.support.begin(), ball.support.end()));
   EXPECT_TRUE(surround_origin(from_center)) << ball.support.size();
   for (std::size_t i = 0; i < points.size(); ++i) {
-    EXPECT_LE(squared_distance(exact_point(points[i]), ball.center), ball.squared_radius) << "point " << i;
+    EXPECT_LE(squared_distance(points[i], ball.center), ball.squared_radius) << "point " << i;
   }
+}
+
+SmallestBall checked(const Points& points) {
+  SmallestBall ball = smallest_ball(points, one_thread);
+  check(ball, exact(points));
+  return ball;
+}
+
+SmallestBall checked_exactly(const RationalPoints& points) {
+  SmallestBall ball = smallest_ball(points, one_thread);
+  check(ball, points);
   return ball;
 }
 
@@ -131,6 +149,53 @@ TEST(SmallestBall, IsTheLeastOfAllSubsets) {
 }
 
 /// Integer points of a sphere, each many times and in disorder, so that all are on the boundary.
+/// The same ball, moved by a vector and scaled by a factor that are no doubles, of any size.
+TEST(SmallestBall, OfRationalsIsThatOfDoublesMovedAndScaled) {
+  for (std::uint64_t seed = 0; seed < test_rounds(60U); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const Points points = on_a_small_grid(random, 1, 40);
+    const SmallestBall expected = checked(points);
+    const SmallestBall same = checked_exactly(exact(points));
+    EXPECT_EQ(same.center, expected.center);
+    EXPECT_EQ(same.support, expected.support);
+    Rational factor = Rational(1) / Rational(3);
+    for (int i = below(random, 9); i > 0; --i) factor *= seed % 2 == 0 ? Rational(0x1p500) : Rational(0x1p-500);
+    const RationalPoint3 by = RationalPoint3{1, 2, -3} * (Rational(below(random, 3)) * factor / Rational(7));
+    RationalPoints moved;
+    for (const Point3& p : points) moved.push_back(exact_point(p) * factor + by);
+    const SmallestBall ball = checked_exactly(moved);
+    EXPECT_EQ(ball.center, expected.center * factor + by);
+    EXPECT_EQ(ball.squared_radius, expected.squared_radius * factor * factor);
+    if (HasFailure()) return;
+  }
+}
+
+/// Points of the unit sphere whose coordinates are fractions, and some that are closer to it than doubles tell.
+TEST(SmallestBall, OfRationalsOnASphereAndCloseToIt) {
+  RationalPoints points;
+  Random random(4);
+  const Rational one(1);
+  while (points.size() < 400) {
+    // Stereographic.
+    const Rational u = Rational(below(random, 4001) - 2000) / Rational(1 + below(random, 999));
+    const Rational v = Rational(below(random, 4001) - 2000) / Rational(1 + below(random, 999));
+    const Rational square = u * u + v * v;
+    points.push_back(RationalPoint3{u + u, v + v, square - one} * (one / (square + one)));
+  }
+  const SmallestBall unit = checked_exactly(points);
+  EXPECT_EQ(unit.squared_radius, one);
+  EXPECT_EQ(unit.center, (RationalPoint3{0, 0, 0}));
+  const Rational most = one + Rational(0x1p-200);
+  for (int k = 0; k < 200; ++k) points[k] = points[k] * (one + Rational(0x1p-200 * k / 256));
+  points.push_back({0, 0, most});
+  points.push_back({0, 0, -most});
+  std::shuffle(points.begin(), points.end(), random);
+  const SmallestBall ball = checked_exactly(points);
+  EXPECT_EQ(ball.squared_radius, most * most);
+  EXPECT_LE(ball.steps, 25U);
+}
+
 TEST(SmallestBall, OfCosphericalPoints) {
   Points points;
   constexpr int squared = 3 * 3 * 7 * 7;
@@ -241,7 +306,8 @@ TEST(SmallestBall, FurthestOfPointsThatOnlyRationalsTellApart) {
 }
 
 TEST(SmallestBall, RefusesNothingAndWhatIsNotFinite) {
-  EXPECT_THROW(smallest_ball({}, one_thread), InputError);
+  EXPECT_THROW(smallest_ball(Points{}, one_thread), InputError);
+  EXPECT_THROW(smallest_ball(RationalPoints{}, one_thread), InputError);
   const Points points{{0, 0, 0}, {1, std::numeric_limits<double>::quiet_NaN(), 0}};
   try {
     smallest_ball(points, one_thread);
@@ -252,6 +318,7 @@ TEST(SmallestBall, RefusesNothingAndWhatIsNotFinite) {
   Context context({.threads = 1});
   context.cancel();
   EXPECT_THROW(smallest_ball(icosahedron(), context), Cancelled);
+  EXPECT_THROW(smallest_ball(exact(icosahedron()), context), Cancelled);
 }
 
 }  // namespace

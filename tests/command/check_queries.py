@@ -371,6 +371,18 @@ class Distance(CommandTest):
         self.assertEqual((flat["width"], flat["diameter"]), (0, 9))
         self.assertEqual((report["exact_squared_diameter"], len(report["diameter_witness"])), ("137/4", 2))
 
+    def test_ball_of_rational_vertices(self):
+        # The prism over (1, 0), (3, 0), (1, 2/3), of height 4: the ball is that of a box with the right angle in a corner.
+        self.write("wedge.off", "OFF\n6 5 0\n0 0 0\n3 0 0\n0 1 0\n0 0 4\n3 0 4\n0 1 4\n"
+                   "3 0 2 1\n3 3 4 5\n4 0 1 4 3\n4 1 2 5 4\n4 2 0 3 5\n")
+        self.write("box.off", box((1, -1, -1), (4, 2, 5)))
+        self.run_quoin("intersection", "wedge.off", "box.off", "-o", "cut.qsolid")
+        report = self.json_of("width", "cut.qsolid")
+        self.assertEqual(report["warnings"], [])
+        self.assertEqual(report["ball"]["exact_squared_radius"], "46/9")
+        self.assertEqual(report["ball"]["exact_center"], ["2", "1/3", "2"])
+        self.assertIn(len(report["ball"]["witness"]), (2, 3, 4))
+
 
 class GaussianMap(CommandTest):
     def test_counts_and_page(self):
