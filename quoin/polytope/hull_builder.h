@@ -50,6 +50,15 @@ class HullBuilder {
   /// @throws Cancelled; the hull is of no use then
   void insert_many(std::uint32_t first, std::uint32_t end, const Context& context);
 
+  /// What insert_many shared among threads until now.
+  struct Tally {
+    std::size_t most_sides = 0;  ///< of one cut of points into sides; 0: all were inserted one by one
+    std::size_t on_sides = 0;    ///< points that were handed to threads
+    std::size_t late = 0;        ///< of these, points that waited until the threads were done
+    std::size_t renamed = 0;     ///< corners that gave way to an equal point that is earlier in the list
+  };
+  const Tally& tally() const { return tally_; }
+
   /// Free ones among them.
   std::span<const Triangle> triangles() const { return triangles_; }
   /// Where a point of the list lies to the plane of a triangle: positive outside.
@@ -139,6 +148,7 @@ class HullBuilder {
   UnsetVector<Triangle> triangles_;
   UnsetVector<Plane> planes_;
   Hand single_;
+  Tally tally_;
   double rate_ = 1;  // part of the points that were outside, lately
   Point3 centre_{};
   bool has_centre_ = false;  // else it is the mean of the first four points: no double is near enough, or they are of a

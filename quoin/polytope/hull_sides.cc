@@ -77,7 +77,10 @@ void HullBuilder::insert_many(std::uint32_t first, std::uint32_t end, const Cont
   for_each_chunk(context, side_count, 1,
                  [&](const Chunk& chunk) { insert_side(sides, chunk.index, first, end, context); });
   take_back(sides);
+  tally_.most_sides = std::max(tally_.most_sides, side_count);
+  tally_.on_sides += count;
   for (const Sides::Side& side : sides.list) {
+    tally_.late += side.late.size();
     for (std::size_t i = 0; i < side.late.size(); ++i) {
       if (i % 256 == 0) context.poll();
       insert_late(side.late[i]);
@@ -198,6 +201,7 @@ void HullBuilder::insert_late(std::uint32_t point) {
   for (unsigned k = 0; k < 3; ++k) {
     const std::uint32_t corner = triangles_[t].corners[k];
     if (corner < point || points_[corner] != points_[point]) continue;
+    ++tally_.renamed;
     while (triangles_[t].corners[k] == corner) {
       triangles_[t].corners[k] = point;
       const std::uint32_t across = triangles_[t].across[k];
