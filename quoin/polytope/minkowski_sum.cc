@@ -34,7 +34,7 @@ class SumShape : public PolytopeShape {
   }
 };
 
-void take_rings(FacetRings& to, FacetRings& from) {
+void take_rings(FacetRings& to, FacetRings&& from) {
   to = std::move(from);
 }
 
@@ -65,7 +65,7 @@ PolytopeSumOfMany minkowski_sum(std::span<const Polytope> summands, const Contex
   if (summands.size() == 1) {
     const Polytope origin = Polytope::hull_of(std::vector<Point3>{{0, 0, 0}}, context);
     PolytopeSum same = minkowski_sum(shape, origin, context);
-    take_rings(result, same);
+    take_rings(result, std::move(same));
   }
   for (std::size_t i = 1; i < summands.size(); ++i) {
     PolytopeSum sum = minkowski_sum(shape, summands[i], context);
@@ -78,7 +78,7 @@ PolytopeSumOfMany minkowski_sum(std::span<const Polytope> summands, const Contex
     }
     tuples = std::move(longer);
     if (i + 1 < summands.size()) shape = SumShape(sum, shape, summands[i]);
-    take_rings(result, sum);
+    take_rings(result, std::move(sum));
   }
   result.vertices = std::move(tuples);
   return result;
