@@ -135,4 +135,23 @@ ConvexHull convex_hull(std::span<const RationalPoint3> points, const Context& co
   return convex_hull(table, ids, context);
 }
 
+/// As points of space of height zero, whose hull is counterclockwise seen from above.
+ConvexHull convex_hull(std::span<const RationalPoint2> points, const Context& context) {
+  std::vector<RationalPoint3> flat;
+  flat.reserve(points.size());
+  for (const RationalPoint2& p : points) {
+    if (flat.size() % 256 == 0) context.poll();
+    flat.push_back({p.x, p.y, Rational(0)});
+  }
+  const ConvexHull hull = convex_hull(flat, context);
+  if (hull.dimension < 2) return hull;
+  std::vector<std::uint32_t> corners(hull.corners);
+  const auto first = std::min_element(corners.begin(), corners.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const auto by_x = points[a].x <=> points[b].x;
+    return by_x != 0 ? by_x < 0 : points[a].y < points[b].y;
+  });
+  std::rotate(corners.begin(), first, corners.end());
+  return hull_in_plane(corners);
+}
+
 }  // namespace quoin

@@ -71,6 +71,32 @@ TEST(RationalHull, IsThatOfDoubles) {
 }
 
 // Far below what doubles tell apart: all round to one point or to a few.
+/// A map of the plane that keeps orientation and lexicographic order changes nothing.
+TEST(RationalHull, InThePlaneIsThatOfDoubles) {
+  for (std::uint64_t seed = 0; seed < test_rounds(300U); ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937_64 random(seed);
+    const std::uint64_t size = 1 + random() % 12;
+    std::vector<Point2> points(1 + random() % 30);
+    for (Point2& p : points) p = {static_cast<double>(random() % size), static_cast<double>(random() % size)};
+    std::vector<RationalPoint2> exact;
+    std::vector<RationalPoint2> close;
+    for (const Point2& p : points) {
+      const Rational x = Rational(p.x) / Rational(3);
+      const Rational y = Rational(p.y) / Rational(7) + x * Rational(5);
+      exact.push_back({x, y});
+      close.push_back({Rational(1) + x * Rational(0x1p-80), y * Rational(0x1p-80) - Rational(9)});
+    }
+    const ConvexHull expected = convex_hull(points, one_thread);
+    expect_equal(convex_hull(exact, one_thread), expected);
+    expect_equal(convex_hull(close, one_thread), expected);
+    if (HasFailure()) return;
+  }
+  EXPECT_EQ(convex_hull(std::vector<RationalPoint2>{}, one_thread).dimension, -1);
+  const Rational huge = Rational(0x1p1000) * Rational(0x1p1000);
+  EXPECT_THROW(convex_hull(std::vector<RationalPoint2>{{huge, Rational(0)}}, one_thread), InputError);
+}
+
 TEST(RationalHull, OfPointsThatRoundToOne) {
   Rational tiny(1);
   for (int i = 0; i < 25; ++i) tiny /= Rational(1000);

@@ -62,11 +62,6 @@ double largest_of_finite(std::span<const Point3> points, const Context& context)
   return largest;
 }
 
-void add_facet(ConvexHull& hull, std::span<const std::uint32_t> corners) {
-  hull.corners.insert(hull.corners.end(), corners.begin(), corners.end());
-  hull.facet_begin.push_back(hull.corners.size());
-}
-
 ConvexHull hull_of_flat(std::span<const Point3> points, const Simplex& simplex, const Context& context) {
   const unsigned axis = axis_to_drop(points[simplex.points[0]], points[simplex.points[1]], points[simplex.points[2]]);
   std::vector<Point2> flat;
@@ -168,16 +163,7 @@ ConvexHull convex_hull(std::span<const Point2> points, const Context& context) {
     if (i % 16384 == 0) context.poll();
     if (!is_finite({points[i].x, points[i].y, 0})) refuse(i);
   }
-  const std::vector<std::uint32_t> around = planar_hull(points, context);
-  ConvexHull hull;
-  hull.dimension = around.size() > 2 ? 2 : static_cast<int>(around.size()) - 1;
-  hull.vertices = around;
-  std::sort(hull.vertices.begin(), hull.vertices.end());
-  if (hull.dimension < 2) return hull;
-  for (std::size_t i = 0; i < around.size(); ++i) {
-    add_facet(hull, std::array{around[i], around[(i + 1) % around.size()]});
-  }
-  return hull;
+  return hull_in_plane(planar_hull(points, context));
 }
 
 }  // namespace quoin

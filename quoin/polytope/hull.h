@@ -57,4 +57,7 @@ ConvexHull convex_hull(std::span<const RationalPoint3> points, const Context& co
 /// @throws InputError naming a point that is not finite, Cancelled
 ConvexHull convex_hull(std::span<const Point2> points, const Context& context);
 
+/// Of rationals of the plane. @throws as that of a table
+ConvexHull convex_hull(std::span<const RationalPoint2> points, const Context& context);
+
 }  // namespace quoin

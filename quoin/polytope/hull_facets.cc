@@ -299,4 +299,17 @@ ConvexHull hull_of_polygon(std::span<const std::uint32_t> corners) {
   return hull;
 }
 
+ConvexHull hull_in_plane(std::span<const std::uint32_t> corners) {
+  ConvexHull hull;
+  hull.dimension = corners.size() > 2 ? 2 : static_cast<int>(corners.size()) - 1;
+  hull.vertices.assign(corners.begin(), corners.end());
+  std::sort(hull.vertices.begin(), hull.vertices.end());
+  if (hull.dimension < 2) return hull;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    hull.corners.insert(hull.corners.end(), {corners[i], corners[(i + 1) % corners.size()]});
+    hull.facet_begin.push_back(hull.corners.size());
+  }
+  return hull;
+}
+
 }  // namespace quoin

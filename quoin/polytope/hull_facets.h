@@ -19,4 +19,7 @@ ConvexHull join_facets(HullBuilder& builder, std::span<const std::uint32_t> name
 /// Of points in one plane, with one facet. O(n log n).
 ConvexHull hull_of_polygon(std::span<const std::uint32_t> corners);
 
+/// Of points of the plane, whose facets are edges: from all its corners in order. O(n log n).
+ConvexHull hull_in_plane(std::span<const std::uint32_t> corners);
+
 }  // namespace quoin
