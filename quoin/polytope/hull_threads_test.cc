@@ -209,8 +209,8 @@ TEST(ConvexHull, TheSameOnAnyNumberOfThreads) {
   }
 }
 
-// The first of equal points is the vertex, also where it had to wait for another thread's points while one of the
-// others had not: a point far away makes all be in one cell of the curve, so that equal ones do not follow each other.
+// The first of equal points is the vertex, also where it had to wait for another thread's points; a point far away
+// makes all others be in one cell of the first curve.
 TEST(ConvexHull, ThreadsKeepTheFirstOfEqualPoints) {
   for (const bool has_far_point : {false, true}) {
     Random random(11);
