@@ -65,9 +65,10 @@ void expect_regular(const Regular3& t) {
 
 TEST(Regular3, LiftedPointsAreAboveAllCells) {
   Random random(31);
-  const std::array<double (*)(Random&), 3> weights{[](Random& r) { return testing::small_integer(r, 3); },
+  const std::array<double (*)(Random&), 4> weights{[](Random& r) { return testing::small_integer(r, 3); },
                                                    [](Random& r) { return testing::unit(r) / 4; },
-                                                   [](Random& r) { return testing::any_finite(r); }};
+                                                   [](Random& r) { return testing::any_finite(r); },
+                                                   [](Random& r) { return testing::small_integer(r, 2) * 0x1p-1074; }};
   for (const Cloud& cloud : testing::clouds(random, 9)) {
     SCOPED_TRACE(cloud.name);
     if (cloud.points.size() > 24) continue;  // the definition is slow
@@ -91,6 +92,18 @@ TEST(Regular3, EqualWeightsGiveDelaunay) {
     for (std::size_t c = 0; c < t.cells().size(); ++c) {
       ASSERT_EQ(t.cells()[c].vertices, expected.cells()[c].vertices);
       ASSERT_EQ(t.cells()[c].neighbours, expected.cells()[c].neighbours);
+    }
+  }
+}
+
+TEST(Regular3, TheSmallestWeightsCount) {
+  // Five points of a sphere, one of them lifted by less than any double that is a multiple of the grid.
+  std::vector<Point3> points{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2}, {2, 2, 2}};
+  for (const double weight : {0x1p-1074, -0x1p-1074, 0x1p-1060, -0x1p-1060}) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      std::vector<double> weights(points.size(), 0);
+      weights[i] = weight;
+      expect_regular(triangulated(points, weights));
     }
   }
 }

@@ -49,7 +49,8 @@ RegularSigns::RegularSigns(std::span<const Point3> points, std::span<const doubl
   const double g = PointExtent(points).grid;
   const bool are_weights_on_grid = std::all_of(weights.begin(), weights.end(), [g](double w) {
     const double multiple = w / (g * g);
-    return g > 0 && std::fabs(multiple) <= 0x1p53 && std::nearbyint(multiple) == multiple;
+    // Multiplied again, as the quotient may underflow.
+    return g > 0 && std::fabs(multiple) <= 0x1p53 && std::nearbyint(multiple) == multiple && multiple * (g * g) == w;
   });
   // Magnitudes of all terms sum up to at most 4 (3 M^2 + W) 6 XYZ.
   if (are_weights_on_grid) grid_ = g * g * g * g * g * (0x1p52 / 24);
