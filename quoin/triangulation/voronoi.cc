@@ -5,6 +5,7 @@
 #include <map>
 
 #include "quoin/base/error.h"
+#include "quoin/kernel/predicates3.h"
 
 namespace quoin {
 
@@ -54,6 +55,22 @@ VoronoiFacet Voronoi3::facet(std::uint32_t vertex, std::uint32_t neighbour, std:
   return facet;
 }
 
+// Where the two facets of the hull at the edge lie in one plane, the rays of an unbounded facet are parallel: with one
+// corner they are the same.
+bool Voronoi3::is_ray(std::uint32_t vertex, std::uint32_t neighbour, std::uint32_t cell) const {
+  const std::span<const TriangulationCell> cells = triangulation_.cells();
+  std::vector<std::uint32_t> corners;  // of both
+  for_each_around_edge(cells, cell, slot_of(cells[cell], vertex), slot_of(cells[cell], neighbour),
+                       [&](std::uint32_t c) {
+                         if (!triangulation_.is_ghost(c)) return;
+                         corners.insert(corners.end(), cells[c].vertices.begin(), cells[c].vertices.begin() + 3);
+                       });
+  std::sort(corners.begin(), corners.end());
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  const auto point = [&](std::size_t i) { return triangulation_.point(corners[i]); };
+  return corners.size() == 4 && orientation(point(0), point(1), point(2), point(3)) == Sign::zero;
+}
+
 std::vector<VoronoiFacet> Voronoi3::facets(std::uint32_t vertex) const {
   std::map<std::uint32_t, std::uint32_t> cell_of;  // by neighbour, some cell of the edge
   for (const std::uint32_t c : stars_.star(vertex)) {
@@ -64,7 +81,8 @@ std::vector<VoronoiFacet> Voronoi3::facets(std::uint32_t vertex) const {
   std::vector<VoronoiFacet> all;
   for (const auto& [neighbour, cell] : cell_of) {
     VoronoiFacet next = facet(vertex, neighbour, cell);
-    if (!next.is_bounded || next.corners.size() > 2) all.push_back(std::move(next));
+    if (next.is_bounded ? next.corners.size() > 2 : next.corners.size() > 1 || !is_ray(vertex, neighbour, cell))
+      all.push_back(std::move(next));
   }
   return all;
 }

@@ -44,6 +44,7 @@ class Voronoi3 {
 
  private:
   VoronoiFacet facet(std::uint32_t vertex, std::uint32_t neighbour, std::uint32_t cell) const;
+  bool is_ray(std::uint32_t vertex, std::uint32_t neighbour, std::uint32_t cell) const;
 
   const Delaunay3& triangulation_;
   VertexStars stars_;

@@ -86,6 +86,9 @@ TEST(Voronoi3, CubesOfALattice) {
     const bool is_inner = std::min({p.x, p.y, p.z}) > 0 && std::max({p.x, p.y, p.z}) < 3;
     const std::optional<Rational> volume = voronoi.volume(v);
     ASSERT_EQ(volume.has_value(), is_inner);
+    std::size_t sides = 0;  // with another cube beyond
+    for (const double x : {p.x, p.y, p.z}) sides += x > 0 && x < 3 ? 2 : 1;
+    ASSERT_EQ(voronoi.facets(v).size(), sides);
     if (!is_inner) continue;
     ++inner;
     EXPECT_EQ(*volume, Rational(1));
@@ -94,6 +97,20 @@ TEST(Voronoi3, CubesOfALattice) {
     for (const VoronoiFacet& facet : facets) EXPECT_EQ(facet.corners.size(), 4U);
   }
   EXPECT_EQ(inner, 8);
+}
+
+TEST(Voronoi3, CornersOfACubeHaveThreeFacets) {
+  const Delaunay3 t = triangulated(testing::lattice(2, 2, 2));
+  const Voronoi3 voronoi(t);
+  for (std::uint32_t v = 0; v < 8; ++v) {
+    const std::vector<VoronoiFacet> facets = voronoi.facets(v);
+    ASSERT_EQ(facets.size(), 3U);
+    for (const VoronoiFacet& facet : facets) {
+      EXPECT_FALSE(facet.is_bounded);
+      EXPECT_EQ(facet.corners.size(), 1U);
+      EXPECT_EQ(square_distance(exact_point(t.point(v)), exact_point(t.point(facet.neighbour))), Rational(1));
+    }
+  }
 }
 
 /// Cells of a large cube's lattice with one random point moved: they still fill what they filled.
