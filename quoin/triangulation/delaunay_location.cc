@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <unordered_set>
 
 #include "quoin/base/error.h"
 #include "quoin/kernel/predicates3.h"
@@ -94,10 +95,12 @@ std::uint32_t DelaunayLocator::nearest(const Point3& p) const {
     }
   }
   std::vector<std::uint32_t> ties{best};
+  std::unordered_set<std::uint32_t> is_tied{best};
   for (std::size_t k = 0; k < ties.size(); ++k) {
     for (const std::uint32_t v : stars_.neighbours(ties[k])) {
-      if (std::find(ties.begin(), ties.end(), v) != ties.end()) continue;
-      if (compare_distances(p, t.point(v), t.point(best)) == 0) ties.push_back(v);
+      if (is_tied.count(v) != 0 || compare_distances(p, t.point(v), t.point(best)) != 0) continue;
+      is_tied.insert(v);
+      ties.push_back(v);
     }
   }
   return *std::min_element(ties.begin(), ties.end());

@@ -24,7 +24,8 @@ std::uint32_t label_parts(std::span<const TriangulationCell> cells, unsigned dim
     if (label[first] != no_label || !chosen(first)) continue;
     label[first] = next;
     open.push_back(first);
-    while (!open.empty()) {
+    for (std::size_t steps = 1; !open.empty(); ++steps) {
+      if (steps % 1024 == 0) context.poll();
       const std::uint32_t c = open.back();
       open.pop_back();
       for (unsigned i = 0; i <= dimension; ++i) {

@@ -33,7 +33,8 @@ class Merger {
   void spread(Triangle2 start, DeloneCell2 cell, std::vector<DeloneCell2>& cell_of) {
     cell_of[start.index()] = cell;
     pending_.assign(1, start);
-    while (!pending_.empty()) {
+    for (std::size_t steps = 1; !pending_.empty(); ++steps) {
+      if (steps % poll_step == 0) context_.poll();
       const Triangle2 t = pending_.back();
       pending_.pop_back();
       for (unsigned slot = 0; slot < 3; ++slot) {

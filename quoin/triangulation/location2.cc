@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <unordered_set>
 #include <vector>
 
 #include "quoin/base/error.h"
@@ -107,11 +108,14 @@ Vertex2 nearest_neighbour(const Delaunay2& delaunay, const Point2& query, Vertex
 // one edge, joined by Delaunay edges between equally near ones.
 Vertex2 smallest_of_ties(const Delaunay2& delaunay, const Point2& query, Vertex2 v) {
   std::vector<Vertex2> tied{v};
+  std::unordered_set<std::uint32_t> is_tied{v.value};
   for (std::size_t i = 0; i < tied.size(); ++i) {
     delaunay.links().for_edges_from(tied[i], [&](Edge2 e) {
       const Vertex2 other = delaunay.links().target(e);
-      if (delaunay.links().is_infinite(other) || std::find(tied.begin(), tied.end(), other) != tied.end()) return;
-      if (compare_distances(query, delaunay.point(other), delaunay.point(v)) == Sign::zero) tied.push_back(other);
+      if (delaunay.links().is_infinite(other) || is_tied.count(other.value) != 0) return;
+      if (compare_distances(query, delaunay.point(other), delaunay.point(v)) != Sign::zero) return;
+      is_tied.insert(other.value);
+      tied.push_back(other);
     });
   }
   return *std::min_element(tied.begin(), tied.end());
