@@ -55,6 +55,7 @@ ChangingDelaunay2::ChangingDelaunay2(std::span<const Point2> points, const Conte
 Vertex2 ChangingDelaunay2::insert(const Point2& given) {
   if (!std::isfinite(given.x) || !std::isfinite(given.y)) throw InputError("the point is not finite");
   const Point2 p{given.x + 0.0, given.y + 0.0};
+  require_edge_codes(points_.size());
   if (dimension_ < 2) return insert_on_line(p);
   const std::uint32_t near = nearby_triangle(p);
   const Vertex2 v = add_vertex(p);

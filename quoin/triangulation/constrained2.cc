@@ -50,6 +50,7 @@ ConstrainedDelaunay2::ConstrainedDelaunay2(std::span<const Point2> points, std::
     links_ = Triangulation2({}, count);
     return;
   }
+  require_edge_codes(count);
   dimension_ = 2;
   const ConstructedPredicates2 predicates(pieces_.table);
   auto triangles = detail::Insertion2<ConstructedPredicates2>(predicates, count, context).run(*start);

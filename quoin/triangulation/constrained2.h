@@ -22,7 +22,9 @@ namespace quoin {
 class ConstrainedDelaunay2 {
  public:
   /// O((n + k) log n) expected for k crossings, but quadratic in the triangles that a single segment crosses at worst.
-  /// @throws InputError  a point is not finite, a segment has an end that is no point; the first is named
+  /// @throws InputError  a point is not finite, a segment has an end that is no point (the first is named), or there
+  /// are more than
+  ///                     2^29 points and crossings
   /// @throws Cancelled
   ConstrainedDelaunay2(std::span<const Point2> points, std::span<const Segment2> segments,
                        const Context& context = Context());

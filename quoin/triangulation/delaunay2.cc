@@ -5,10 +5,8 @@
 #include <array>
 #include <limits>
 #include <optional>
-#include <string>
 #include <utility>
 
-#include "quoin/base/error.h"
 #include "quoin/kernel/predicates2.h"
 #include "quoin/triangulation/delaunay_predicates2.h"
 #include "quoin/triangulation/insertion2.h"
@@ -17,8 +15,6 @@ namespace quoin {
 
 namespace {
 
-// Edges have codes of 32 bits, four for each triangle, and there are two triangles for each point.
-constexpr std::size_t most_points = std::size_t{1} << 29;
 constexpr std::size_t poll_step = 1 << 14;
 
 // The first point off the line of the first two.
@@ -40,15 +36,10 @@ std::vector<Vertex2> lexicographic_order(std::span<const Point2> points) {
   return order;
 }
 
-void require_count(std::size_t count) {
-  if (count <= most_points) return;
-  throw InputError(std::to_string(count) + " points are more than " + std::to_string(most_points));
-}
-
 }  // namespace
 
 Delaunay2::Delaunay2(std::span<const Point2> points, const Delaunay2Options& options, const Context& context) {
-  require_count(points.size());
+  require_edge_codes(points.size());
   order_ = spatial_order(points, context);
   const std::size_t count = order_.points.size();
   const std::optional<std::array<std::uint32_t, 3>> start = first_triangle(order_.points, context);

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "quoin/base/error.h"
 #include "quoin/triangulation/cell_array.h"
 
 namespace quoin {
@@ -114,6 +115,7 @@ class IncrementalTriangulation {
  private:
   static constexpr std::uint32_t mark = 0x80000000U;  // on the first vertex of a cell that goes
   static constexpr std::uint8_t unused = 0xFF;
+  static constexpr std::size_t most_cells = std::size_t{1} << 30;
   static constexpr unsigned most_local = 64;  // vertices of a star in the table; the last one is infinity
 
   /// Between a cell that goes and one that stays: its vertices as in facet_slots, and the one that stays.
@@ -168,6 +170,8 @@ class IncrementalTriangulation {
       free_.pop_back();
       return cell;
     }
+    // Neighbours are four codes of 32 bits for each cell.
+    if (cells_.size() >= most_cells) throw InputError("the triangulation has more than 2^30 cells");
     cells_.emplace_back();
     return static_cast<std::uint32_t>(cells_.size() - 1);
   }

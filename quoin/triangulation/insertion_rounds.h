@@ -17,7 +17,7 @@ namespace quoin {
 
 /// Triangulates vertices 0 to count - 1, and those of the simplex, which are four that are not coplanar. Calls
 /// `when_hidden` with vertices that are none of the triangulation, now or any more.
-/// @throws InputError where there is too little memory; Cancelled
+/// @throws InputError where there is too little memory, or there are more than 2^30 cells; Cancelled
 template <class Signs, class WhenHidden>
 CellArray insert_in_rounds(const Signs& signs, std::size_t count, const std::array<std::uint32_t, 4>& simplex,
                            const Context& context, const WhenHidden& when_hidden) try {

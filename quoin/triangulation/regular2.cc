@@ -18,13 +18,10 @@ namespace quoin {
 
 namespace {
 
-constexpr std::size_t most_points = std::size_t{1} << 29;
 constexpr std::uint32_t none = Vertex2::none_value;
 
 std::vector<Point2> places(std::span<const WeightedPoint2> points) {
-  if (points.size() > most_points) {
-    throw InputError(std::to_string(points.size()) + " points are more than " + std::to_string(most_points));
-  }
+  require_edge_codes(points.size());
   std::vector<Point2> result;
   result.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -37,8 +34,10 @@ std::vector<Point2> places(std::span<const WeightedPoint2> points) {
   return result;
 }
 
-std::optional<std::array<std::uint32_t, 3>> first_triangle(std::span<const WeightedPoint2> points) {
+std::optional<std::array<std::uint32_t, 3>> first_triangle(std::span<const WeightedPoint2> points,
+                                                           const Context& context) {
   for (std::uint32_t i = 2; i < points.size(); ++i) {
+    if (i % 4096 == 0) context.poll();
     const Sign turn = orientation(points[0].point, points[1].point, points[i].point);
     if (turn == Sign::positive) return std::array<std::uint32_t, 3>{0, 1, i};
     if (turn == Sign::negative) return std::array<std::uint32_t, 3>{1, 0, i};
@@ -74,7 +73,7 @@ Regular2::Regular2(std::span<const WeightedPoint2> points, const Context& contex
     for (const std::uint32_t input : order.inputs_of(i)) weight = std::max(weight, points[input].weight);
     all.push_back({order.points[i], weight + 0.0});
   }
-  const auto start = first_triangle(all);
+  const auto start = first_triangle(all, context);
   std::vector<std::uint32_t> on_line;
   LargeVector<TriangleLinks2> triangles;
   std::vector<std::uint32_t> vertex(count + 1, none);

@@ -2,10 +2,18 @@
 #include "quoin/triangulation/triangulation2.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "quoin/base/error.h"
+
 namespace quoin {
+
+void require_edge_codes(std::size_t vertices) {
+  constexpr std::size_t most = std::size_t{1} << 29;
+  if (vertices > most) throw InputError(std::to_string(vertices) + " points are more than " + std::to_string(most));
+}
 
 namespace {
 

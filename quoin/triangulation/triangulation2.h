@@ -43,6 +43,10 @@ struct TriangleLinks2 {
   std::array<std::uint32_t, 3> across;  ///< codes of Edge2
 };
 
+/// Edges have codes of 32 bits, four for each triangle, and there are two triangles for each vertex.
+/// @throws InputError  for more than 2^29 vertices
+void require_edge_codes(std::size_t vertices);
+
 /// The links of a triangulation of the plane, without coordinates: triangles 0 ... triangle_count() - 1, infinite ones
 /// among them. All members are O(1) unless they say otherwise.
 class Triangulation2 {
