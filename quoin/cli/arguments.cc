@@ -99,8 +99,8 @@ void add_assembly(CLI::App& app, Options& options) {
       add_command(app, options, "assembly", "how an assembly comes apart: which parts can move away, and where to");
   assembly
       ->add_option("files", options.inputs,
-                   "parts that do not overlap: meshes or .qsolid, a part each, or OBJ with several objects; of convex "
-                   "pieces, which may be groups of an OBJ object")
+                   "parts that do not overlap: meshes or .qsolid, a part each, or OBJ or 3MF with several objects; of "
+                   "convex pieces, which may be groups of an object")
       ->required();
   add_repeatable(*assembly, "-o,--output", options.outputs,
                  "file to write, format by its ending: json (the report), html (a page to look at); '-' for standard "

@@ -70,10 +70,10 @@ Pieces pieces_of(const MeshObject& object, const std::string& what, std::vector<
   return pieces;
 }
 
-/// The objects of an OBJ file that has some; nothing of any other input.
+/// The objects of an OBJ or 3MF file that has some; nothing of any other input.
 std::optional<std::vector<MeshObject>> read_objects(const std::string& name, const Options& options,
                                                     std::vector<std::string>& warnings, const Context& context) {
-  if (ending_of(name) != ".obj") return std::nullopt;
+  if (ending_of(name) != ".obj" && ending_of(name) != ".3mf") return std::nullopt;
   ReadOptions read;
   read.weld_tolerance = options.weld_tolerance;
   const MeshFile file = read_mesh(std::filesystem::path(name), read, context);

@@ -10,9 +10,9 @@
 
 namespace quoin::cli {
 
-/// The parts of an assembly: a file each, named by its stem; or of OBJ files with several objects, an object each,
-/// whose groups are its pieces where each bounds a solid, none of them inside out. What is found wrong with a surface
-/// goes to `warnings`.
+/// The parts of an assembly: a file each, named by its stem; or of OBJ and 3MF files with several objects, an object
+/// each, whose groups are its pieces where each bounds a solid, none of them inside out. What is found wrong with a
+/// surface goes to `warnings`.
 /// @throws InputError  a file bounds no solid, is empty or unbounded, is not made of convex pieces, or is given twice
 std::vector<AssemblyPart> read_parts(const Options& options, std::vector<std::string>& warnings,
                                      const Context& context);

@@ -22,6 +22,10 @@ Target solid_target(const std::string& name, const std::string& ending) {
     throw UsageError((name == standard_stream ? "--format '" + ending.substr(1) + "'" : name + ": the ending") +
                      " tells no format that is written (off, obj, stl, ply, html, qsolid)");
   }
+  if (!is_written(*format)) {
+    throw UsageError((name == standard_stream ? "--format '" + ending.substr(1) + "'" : name) +
+                     ": 3MF is read, not written (written are off, obj, stl, ply, html, qsolid)");
+  }
   return {name, Target::Kind::mesh, *format};
 }
 

@@ -12,6 +12,7 @@
 #include "quoin/io/readers.h"
 #include "quoin/io/text_lines.h"
 #include "quoin/io/weld.h"
+#include "quoin/io/zip_archive.h"
 
 namespace quoin {
 
@@ -55,6 +56,7 @@ FileBytes read_bytes(const std::filesystem::path& path) {
 
 MeshFile read_by_content(std::string_view bytes, const std::string& name, bool weld, const Context& context) {
   if (bytes.empty()) throw InputError(name + ": the file is empty");
+  if (io::is_zip_archive(bytes)) return io::read_threemf(bytes, name, context);
   const std::string ending = ending_of(name);
   const std::string_view word = io::first_word(bytes);
   if (word == "ply") return io::read_ply(bytes, name, context);
@@ -65,6 +67,7 @@ MeshFile read_by_content(std::string_view bytes, const std::string& name, bool w
                                   : io::read_stl_binary(bytes, name, weld, context);
   }
   if (ending == ".ply") throw InputError(name + ":1: 'ply' should stand here");
+  if (ending == ".3mf") throw InputError(name + ": a zip archive should begin here, as 3MF files do");
   if (ending == ".off") return io::read_off(bytes, name, context);
   if (ending == ".obj") return io::read_obj(bytes, name, context);
   if (io::is_word(word, "solid")) {
@@ -73,7 +76,7 @@ MeshFile read_by_content(std::string_view bytes, const std::string& name, bool w
   }
   if (word == "v" || word == "#" || word == "o" || word == "g" || word == "mtllib")
     return io::read_obj(bytes, name, context);
-  throw InputError(name + ": neither the content nor the ending tells a format that is read (OFF, OBJ, STL, PLY)");
+  throw InputError(name + ": neither the content nor the ending tells a format that is read (OFF, OBJ, STL, PLY, 3MF)");
 }
 
 // Arrays that grew by doubling hold up to twice what they need, for as long as the mesh lives.
@@ -92,6 +95,7 @@ std::optional<MeshFormat> format_from_path(const std::filesystem::path& path) {
   if (ending == ".obj") return MeshFormat::obj;
   if (ending == ".stl") return MeshFormat::stl_binary;
   if (ending == ".ply") return MeshFormat::ply_binary_little;
+  if (ending == ".3mf") return MeshFormat::threemf;
   return std::nullopt;
 }
 

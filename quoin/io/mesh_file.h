@@ -14,11 +14,16 @@
 
 namespace quoin {
 
-enum class MeshFormat { off, obj, stl_text, stl_binary, ply_text, ply_binary_little, ply_binary_big };
+enum class MeshFormat { off, obj, stl_text, stl_binary, ply_text, ply_binary_little, ply_binary_big, threemf };
 
-/// The format that a file name's ending stands for (.off, .obj, .stl, .ply, in any case; binary where there is a
+/// The format that a file name's ending stands for (.off, .obj, .stl, .ply, .3mf, in any case; binary where there is a
 /// choice), or nothing.
 std::optional<MeshFormat> format_from_path(const std::filesystem::path& path);
+
+/// Whether a format is written; 3MF is only read.
+constexpr bool is_written(MeshFormat format) {
+  return format != MeshFormat::threemf;
+}
 
 /// Whether a format holds single-precision coordinates only.
 constexpr bool is_single_precision(MeshFormat format) {
@@ -53,12 +58,16 @@ struct MeshGroup {
 struct MeshFile {
   Mesh mesh;
   ReadReport report;
-  std::vector<MeshGroup> groups;  ///< of OBJ: what its lines `o` and `g` tell; none where a file has none of them
+  /// Of OBJ: what its lines `o` and `g` tell; of 3MF: an object for each item of the build, a group for each mesh in
+  /// it, unless there is just one mesh and it has no name. None where a file has none of them.
+  std::vector<MeshGroup> groups;
 };
 
-/// Reads a mesh: OFF, OBJ, STL (text, binary) or PLY (text, binary of both byte orders), told by content.
+/// Reads a mesh: OFF, OBJ, STL (text, binary), PLY (text, binary of both byte orders) or 3MF, told by content.
 ///
-/// Polygons stay as they are. Coordinates are the nearest doubles of the decimals in the file. O(file size).
+/// Polygons stay as they are. Coordinates are the nearest doubles of the decimals in the file; where a 3MF file moves
+/// what it holds, the nearest doubles of the exact images, and a warning says how far they are. O(file size), for 3MF
+/// of the size of what its build holds.
 /// @throws FileError   the file cannot be opened or read, or is a directory
 /// @throws InputError  the content is refused; the message names the file and line (text) or byte offset (binary)
 MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options, const Context& context);
@@ -75,7 +84,7 @@ struct WriteReport {
 /// Writes a mesh; text formats hold the shortest decimals that read back to the same doubles.
 /// @throws FileError   the file cannot be written
 /// @throws InputError  the format cannot hold the mesh (polygons in STL, coordinates beyond single precision in
-///                     binary STL)
+///                     binary STL), or is only read (3MF)
 WriteReport write_mesh(const std::filesystem::path& path, MeshFormat format, const Mesh& mesh, const Context& context);
 WriteReport write_mesh(std::ostream& out, MeshFormat format, const Mesh& mesh, const Context& context);
 

@@ -17,6 +17,7 @@ MeshFile read_obj(std::string_view bytes, const std::string& name, const Context
 MeshFile read_stl_text(std::string_view bytes, const std::string& name, const Context& context);
 MeshFile read_stl_binary(std::string_view bytes, const std::string& name, bool weld, const Context& context);
 MeshFile read_ply(std::string_view bytes, const std::string& name, const Context& context);
+MeshFile read_threemf(std::string_view bytes, const std::string& name, const Context& context);
 
 /// Whether the file has just the size that its count of triangles asks for, as a binary STL.
 bool fits_stl_binary(std::string_view bytes);

@@ -10,7 +10,7 @@
 #include "quoin/io/drawing_formats.h"
 #include "quoin/io/svg_path.h"
 #include "quoin/io/svg_transform.h"
-#include "quoin/io/svg_xml.h"
+#include "quoin/io/xml_tags.h"
 #include "quoin/io/text_lines.h"
 #include "quoin/number/error_free.h"
 
@@ -53,7 +53,7 @@ class SvgReader {
 
  private:
   void document() {
-    XmlTags tags(cursor_);
+    XmlTags tags(cursor_, "svg:");
     XmlTag tag;
     std::size_t count = 0;
     bool had_root = false;

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "quoin/io/drawing.h"
-#include "quoin/io/svg_xml.h"
+#include "quoin/io/xml_tags.h"
 #include "quoin/number/rational.h"
 
 namespace quoin::io {

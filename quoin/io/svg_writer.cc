@@ -6,7 +6,7 @@
 #include "quoin/base/error.h"
 #include "quoin/io/drawing_arcs.h"
 #include "quoin/io/drawing_formats.h"
-#include "quoin/io/svg_xml.h"
+#include "quoin/io/xml_tags.h"
 
 namespace quoin::io {
 

@@ -183,6 +183,10 @@ void write_ply_binary(Writer& out, const Mesh& mesh, bool big) {
   }
 }
 
+void require_written(MeshFormat format) {
+  if (!is_written(format)) throw InputError("3MF files are read, not written");
+}
+
 WriteReport report_on(MeshFormat format, const Mesh& mesh) {
   WriteReport report;
   report.dropped_colors = !mesh.face_colors.empty() && (format == MeshFormat::obj || is_triangles_only(format));
@@ -203,6 +207,7 @@ WriteReport report_on(MeshFormat format, const Mesh& mesh) {
 }  // namespace
 
 WriteReport write_mesh(std::ostream& stream, MeshFormat format, const Mesh& mesh, const Context& context) {
+  require_written(format);
   if (is_triangles_only(format)) require_triangles(mesh);
   const WriteReport report = report_on(format, mesh);
   {
@@ -229,12 +234,15 @@ WriteReport write_mesh(std::ostream& stream, MeshFormat format, const Mesh& mesh
         write_ply_header(out, format, mesh);
         write_ply_binary(out, mesh, format == MeshFormat::ply_binary_big);
         break;
+      case MeshFormat::threemf:
+        break;  // refused above
     }
   }
   return report;
 }
 
 WriteReport write_mesh(const std::filesystem::path& path, MeshFormat format, const Mesh& mesh, const Context& context) {
+  require_written(format);
   std::ofstream stream(path, std::ios::binary);
   if (!stream) throw FileError(path.string() + ": cannot be written: " + std::strerror(errno));
   const WriteReport report = write_mesh(stream, format, mesh, context);

@@ -17,7 +17,7 @@ struct XmlAttribute {
 };
 
 struct XmlTag {
-  std::string_view name;  ///< of SVG's elements without the prefix "svg:"
+  std::string_view name;  ///< without the prefix that the reader leaves out
   std::vector<XmlAttribute> attributes;
   std::size_t position = 0;
   bool is_end = false;    ///< </name>
@@ -27,10 +27,11 @@ struct XmlTag {
 };
 
 /// Start and end tags of an XML document in their order; text, comments, CDATA, processing instructions and document
-/// types are skipped. No entities are read but in `xml_decoded`.
+/// types are skipped. No entities are read but in `xml_decoded`. The prefix, with its colon, is left out where a tag's
+/// name begins with it.
 class XmlTags {
  public:
-  explicit XmlTags(TextCursor& cursor) : cursor_(cursor) {}
+  explicit XmlTags(TextCursor& cursor, std::string_view prefix = {}) : cursor_(cursor), prefix_(prefix) {}
   /// False at the end. @throws InputError  what is not well formed
   bool next(XmlTag& tag);
 
@@ -42,6 +43,7 @@ class XmlTags {
   void attribute(XmlTag& tag);
 
   TextCursor& cursor_;
+  std::string_view prefix_;
 };
 
 /// With the five named references and those by number replaced; others stay.

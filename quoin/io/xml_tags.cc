@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "quoin/io/svg_xml.h"
+#include "quoin/io/xml_tags.h"
 
 #include <algorithm>
 #include <array>
@@ -73,7 +73,7 @@ bool XmlTags::next(XmlTag& tag) {
   if (tag.is_end) cursor_.move_to(cursor_.position() + 1);
   tag.name = name();
   if (tag.name.empty()) cursor_.fail("", "the name of a tag should stand here, and " + cursor_.found() + " does");
-  if (tag.name.starts_with("svg:")) tag.name.remove_prefix(4);
+  if (tag.name.starts_with(prefix_)) tag.name.remove_prefix(prefix_.size());
   for (;;) {
     cursor_.skip_space();
     if (cursor_.at_end()) cursor_.fail_at(tag.position, "", "the tag " + quoted(tag.name) + " does not end");
