@@ -96,8 +96,8 @@ class DifferentNames {
 // Puts what the build names into one mesh.
 class Builder {
  public:
-  Builder(MeshFile& file, const std::string& name, const Context& context)
-      : file_(file), name_(name), context_(context) {}
+  Builder(MeshFile& file, std::string name, const Context& context)
+      : file_(file), name_(std::move(name)), context_(context) {}
 
   void run(const ThreemfModel& model) {
     require_room(model);
@@ -166,7 +166,7 @@ class Builder {
   static constexpr std::string_view too_large = "the build stands for a mesh of more than 4 GB";
 
   MeshFile& file_;
-  const std::string& name_;
+  std::string name_;  // of the part
   const Context& context_;
   std::string item_;
   std::size_t item_line_ = 0;

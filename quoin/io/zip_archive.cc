@@ -16,7 +16,10 @@ namespace {
 // A byte of deflated data stands for at most 1032 bytes; some more for the head of the data.
 constexpr std::uint64_t max_ratio = 1032;
 constexpr std::uint64_t chunk = std::uint64_t{1} << 18;
+// Records at the end of an archive, and of a part in its directory.
 constexpr std::size_t end_record_size = 22;
+constexpr std::size_t large_end_size = 56;
+constexpr std::size_t locator_size = 20;
 constexpr std::size_t entry_size = 46;
 
 std::string in_small_letters(std::string_view text) {
@@ -31,14 +34,17 @@ std::uint64_t number_at(std::string_view bytes, std::size_t at, std::size_t coun
   return value;
 }
 
-// No end of an archive (there are two kinds) may promise more parts than the file has room for, since memory for all of
-// them is taken before the first is read.
+// Whether the end of a large archive promises more parts than the file has room for: memory for all of them would be
+// taken before the first is read. Ends of other archives promise fewer than 65536.
 bool promises_too_many_parts(std::string_view bytes) {
-  const std::string_view last = bytes.substr(bytes.size() - std::min<std::size_t>(bytes.size(), 66000 + 56 + 20));
+  const std::size_t begin = bytes.size() - std::min<std::size_t>(bytes.size(), 65535 + end_record_size + locator_size);
   const std::uint64_t room = bytes.size() / entry_size;
-  for (std::size_t at = last.find("PK\6\6"); at != std::string_view::npos; at = last.find("PK\6\6", at + 1)) {
-    if (at + 40 > last.size()) break;
-    if (number_at(last, at + 24, 8) > room || number_at(last, at + 32, 8) > room) return true;
+  for (std::size_t at = bytes.find("PK\6\7", begin); at != std::string_view::npos; at = bytes.find("PK\6\7", at + 1)) {
+    if (at + locator_size > bytes.size()) break;
+    const std::uint64_t end = number_at(bytes, at + 8, 8);
+    if (end > bytes.size() - large_end_size || bytes.size() < large_end_size) continue;
+    const auto record = static_cast<std::size_t>(end);
+    if (number_at(bytes, record + 24, 8) > room || number_at(bytes, record + 32, 8) > room) return true;
   }
   return false;
 }
