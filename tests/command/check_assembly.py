@@ -7,6 +7,7 @@ import json
 import pathlib
 import subprocess
 import sys
+import zipfile
 
 from command import DONE, FILE_TROUBLE, OUT_OF_TIME, REFUSED, USAGE, CommandTest, box, corners, main, off, CUBE_FACES
 
@@ -24,6 +25,27 @@ def obj(objects):
             lines += ["f " + " ".join(str(first + i) for i in face) for face in CUBE_FACES]
             first += 8
     return "\n".join(lines) + "\n"
+
+
+RELATIONSHIPS = """<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships">
+<Relationship Id="m" Target="/3D/3dmodel.model" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/>
+</Relationships>"""
+
+
+def mesh_3mf(low, high):
+    triangles = [t for a, b, c, d in CUBE_FACES for t in ((a, b, c), (a, c, d))]
+    return ("<mesh><vertices>" + "".join('<vertex x="{}" y="{}" z="{}"/>'.format(*v) for v in corners(low, high)) +
+            "</vertices><triangles>" + "".join('<triangle v1="{}" v2="{}" v3="{}"/>'.format(*t) for t in triangles) +
+            "</triangles></mesh>")
+
+
+def write_3mf(path, resources, build, attributes=""):
+    model = ('<?xml version="1.0" encoding="UTF-8"?>\n'
+             f'<model {attributes} xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02">\n'
+             f"<resources>\n{resources}\n</resources>\n<build>\n{build}\n</build>\n</model>\n")
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr("_rels/.rels", RELATIONSHIPS)
+        archive.writestr("3D/3dmodel.model", model)
 
 
 class Assembly(CommandTest):
@@ -140,6 +162,48 @@ class Assembly(CommandTest):
         lines = obj({"box": [((0, 0, 0), (1, 1, 1))]}).splitlines()
         self.write("named.obj", "\n".join(lines[:-2] + ["g lid"] + lines[-2:]))
         self.assertEqual(self.json_of("assembly", "named.obj")["parts"][0]["pieces"], 1)
+
+    def test_3mf_is_as_obj(self):
+        boxes = {"low": [((0, 0, 0), (2, 2, 1))], "top": [((0, 0, 1), (1, 2, 2))],
+                 "bent": [((1, 0, 1), (2, 2, 2)), ((1, 0, 2), (2, 1, 3))]}
+        self.write("three.obj", obj(boxes))
+        write_3mf(self.folder / "three.3mf",
+                  f'<object id="1" name="low">{mesh_3mf((0, 0, 0), (2, 2, 1))}</object>\n'
+                  f'<object id="2" name="top">{mesh_3mf((0, 0, 0), (1, 2, 1))}</object>\n'
+                  f'<object id="3">{mesh_3mf((0, 0, 0), (1, 1, 1))}</object>\n'
+                  '<object id="4" name="bent"><components>'
+                  '<component objectid="2" transform="1 0 0 0 1 0 0 0 1 1 0 0"/>'
+                  '<component objectid="3" transform="-1 0 0 0 1 0 0 0 1 2 0 1"/></components></object>',
+                  '<item objectid="1"/><item objectid="2" transform="1 0 0 0 1 0 0 0 1 0 0 1"/>'
+                  '<item objectid="4" transform="1 0 0 0 1 0 0 0 1 0 0 1"/>')
+        plans = [self.json_of("assembly", name, "--sequence") for name in ("three.obj", "three.3mf")]
+        self.assertEqual([(p["name"], p["pieces"]) for p in plans[1]["parts"]], [("low", 1), ("top", 1), ("bent", 2)])
+        self.assertEqual(plans[1]["warnings"], [])
+        for key in ("sums", "motion_space", "solutions", "interlocked", "infinitesimal"):
+            self.assertEqual(plans[0][key], plans[1][key], key)
+        self.assertEqual(plans[0]["sequence"]["steps"], plans[1]["sequence"]["steps"])
+        # Any other command takes it as one mesh.
+        self.assertEqual(self.json_of("info", "three.3mf")["volume"], 4 + 2 + 2 + 1)
+        self.run_quoin("convert", "three.3mf", "-o", "three.off")
+        self.assertIn("not written", self.run_quoin("convert", "a.off", "-o", "out.3mf", code=USAGE).stderr)
+        self.assertFalse((self.folder / "out.3mf").exists())
+
+    def test_3mf_that_is_refused(self):
+        box_3mf = f'<object id="1">{mesh_3mf((0, 0, 0), (1, 1, 1))}</object>'
+        write_3mf(self.folder / "flat.3mf", box_3mf, '<item objectid="1" transform="1 0 0 0 1 0 0 0 0 0 0 0"/>')
+        refusal = self.run_quoin("assembly", "flat.3mf", code=REFUSED).stderr
+        self.assertIn("flat.3mf: 3D/3dmodel.model:7: the transform flattens space", refusal)
+        write_3mf(self.folder / "inch.3mf", box_3mf, '<item objectid="1"/>', 'unit="inch"')
+        self.assertIn("the unit of coordinates is inch", self.json_of("assembly", "inch.3mf")["warnings"][0])
+        self.assertIn("inch", self.run_quoin("check", "inch.3mf").stderr)
+        whole = self.read("inch.3mf")
+        for size in (4, 30, len(whole) // 2, len(whole) - 1):
+            (self.folder / "cut.3mf").write_bytes(whole[:size])
+            self.assertIn("cut.3mf: ", self.run_quoin("info", "cut.3mf", code=REFUSED).stderr)
+        # Nothing but zeros, which a small part unpacks to.
+        with zipfile.ZipFile(self.folder / "bomb.3mf", "w", zipfile.ZIP_DEFLATED) as archive:
+            archive.writestr("3D/3dmodel.model", b"0" * 10**7)
+        self.assertIn("there is no element", self.run_quoin("info", "bomb.3mf", code=REFUSED).stderr)
 
     def test_what_is_wrong_with_a_part_is_said(self):
         inside_out = obj({"a": [((0, 0, 0), (1, 1, 1)), ((0, 0, 8), (1, 1, 9))], "b": [((0, 0, 3), (1, 1, 4))]}).splitlines()
