@@ -10,8 +10,8 @@
 #include "quoin/io/drawing_formats.h"
 #include "quoin/io/svg_path.h"
 #include "quoin/io/svg_transform.h"
-#include "quoin/io/xml_tags.h"
 #include "quoin/io/text_lines.h"
+#include "quoin/io/xml_tags.h"
 #include "quoin/number/error_free.h"
 
 namespace quoin::io {
