@@ -36,7 +36,7 @@ inline std::string archive(const Parts& parts, const ArchiveFaults& faults = {})
   std::string bytes;
   std::string directory;
   const auto put = [](std::string& to, std::uint64_t value, int count) {
-    for (int k = 0; k < count; ++k) to += static_cast<char>(value >> (8 * k) & 0xFF);
+    for (int k = 0; k < count; ++k, value >>= 8) to += static_cast<char>(value & 0xFF);
   };
   for (const auto& [path, text] : parts) {
     const std::size_t at = bytes.size();
