@@ -141,9 +141,8 @@ void write_drawings(const Drawing& drawing, const Options& options, std::vector<
     how.flatten_tolerance = options.flatten;
     how.as_one_geometry = true;
     std::vector<std::string> notes;
-    write_target(target, [&](std::ostream& out) {
-      notes = write_drawing(out, target.planar_format, drawing, how, context);
-    });
+    write_target(target,
+                 [&](std::ostream& out) { notes = write_drawing(out, target.planar_format, drawing, how, context); });
     const std::string prefix = (target.is_stream() ? "standard output" : target.name) + ": ";
     for (const std::string& note : notes) warnings.push_back(prefix + note);
   }
