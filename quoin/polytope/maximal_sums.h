@@ -15,8 +15,8 @@ namespace quoin {
 /// Source: Fogel, Halperin and Weibel 2009, sections 4.1 and 4.3. @throws InputError for fewer than four facets
 std::size_t most_facets_of_sum(std::span<const std::size_t> facet_counts);
 
-/// Polytopes with these numbers of facets whose sum has the most facets that it can have: tests and benches at the
-/// bound. Their vertices are rational, and their facets exactly planar.
+/// Polytopes with these numbers of facets whose sum has the most facets that it can have: the worst case of
+/// `minkowski_sum`. Their vertices are rational, and their facets exactly planar.
 ///
 /// A polytope with m facets lies in the unit cylinder about the z axis. Its top is a polygon at z = 0 from v_0, at
 /// parameter t_0 = -1/2 of the circle, to the mirror image of it, through (1, 0) and (-1, 0), with its other vertices
