@@ -29,13 +29,17 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
   target_compile_options(quoin_warnings INTERFACE -Wno-bitwise-instead-of-logical)
 endif()
 
+# What ccache needs where headers are precompiled.
+add_library(quoin_cached_headers INTERFACE)
+if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+  target_compile_options(quoin_cached_headers INTERFACE "SHELL:-Xclang -fno-pch-timestamp")
+else()
+  target_compile_options(quoin_cached_headers INTERFACE -fpch-preprocess)
+endif()
+
 # For tests and the command, whose time is spent on large headers of others and not in their own loops.
 add_library(quoin_quick_build INTERFACE)
-if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
-  target_compile_options(quoin_quick_build INTERFACE "SHELL:-Xclang -fno-pch-timestamp")
-else()
-  target_compile_options(quoin_quick_build INTERFACE -fpch-preprocess)
-endif()
+target_link_libraries(quoin_quick_build INTERFACE quoin_cached_headers)
 target_compile_options(quoin_quick_build INTERFACE $<$<CONFIG:Release>:-O1>)
 # Compiling takes longer than running, where every test is compiled again.
 if(QUOIN_SANITIZE)

@@ -17,12 +17,15 @@ Context::Context(ContextOptions options)
 
 bool Context::is_cancelled() const noexcept {
   if (cancelled_.load(std::memory_order_relaxed)) return true;
+  if (options_.most_polls && polls() > *options_.most_polls) return true;
   return deadline_ && std::chrono::steady_clock::now() >= *deadline_;
 }
 
 void Context::poll() const {
   if (cancelled_.load(std::memory_order_relaxed)) throw Cancelled("cancelled");
   if (deadline_ && std::chrono::steady_clock::now() >= *deadline_) throw Cancelled("out of time");
+  if (options_.most_polls && polls_.fetch_add(1, std::memory_order_relaxed) >= *options_.most_polls)
+    throw Cancelled("cancelled");
 }
 
 void Context::progress(std::string_view stage, double done) const {

@@ -17,6 +17,8 @@ struct ContextOptions {
   std::optional<std::chrono::milliseconds> timeout{};  ///< from the construction of the Context
   /// Called now and then with a stage's name and the part of it that is done, in [0, 1]; from one thread at a time.
   std::function<void(std::string_view stage, double done)> progress{};
+  /// As if `cancel` were called after so many polls, of all threads together: what a test can count on.
+  std::optional<std::uint64_t> most_polls{};
 };
 
 /// Threads, progress, cancellation, time limit and seed of long operations.
@@ -38,6 +40,9 @@ class Context {
   /// Throws Cancelled when `cancel` was called or the time is up. Cheap enough for every few hundred elements.
   void poll() const;
 
+  /// How often it was polled; counted where `most_polls` is given.
+  std::uint64_t polls() const noexcept { return polls_.load(std::memory_order_relaxed); }
+
   /// Reports progress and polls. Called by the thread that runs the operation.
   void progress(std::string_view stage, double done) const;
 
@@ -45,6 +50,7 @@ class Context {
   ContextOptions options_;
   unsigned threads_;
   std::atomic<bool> cancelled_{false};
+  mutable std::atomic<std::uint64_t> polls_{0};
   std::optional<std::chrono::steady_clock::time_point> deadline_;
 };
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "quoin/cli/sphere_pictures.h"
 
-
 #include "quoin/cli/failure.h"
 #include "quoin/cli/planar.h"
 #include "quoin/cli/target_writing.h"

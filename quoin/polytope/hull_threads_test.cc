@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -268,18 +267,14 @@ TEST(ConvexHull, ThreadsRefuseTheFirstPointThatIsNotFinite) {
 }
 
 TEST(ConvexHull, ThreadsMayBeCancelled) {
-  const Points points = make(families()[0], 1, tests_take_fewer_rounds ? 20000 : 200000);
-  using Milliseconds = std::chrono::milliseconds;
-  auto whole = Milliseconds::max();
-  for (int run = 0; run < 3; ++run) {
-    const auto start = std::chrono::steady_clock::now();
-    const Context context({.threads = 2, .timeout = std::chrono::hours(1)});
-    ASSERT_EQ(convex_hull(points, context).vertices.size(), points.size());
-    whole = std::min(whole, std::chrono::duration_cast<Milliseconds>(std::chrono::steady_clock::now() - start));
-  }
-  // At several times, so that each step is interrupted once.
-  for (const int sixteenths : {0, 1, 2, 3, 4, 5, 6, 7, 8}) {
-    const Context context({.threads = 2, .timeout = whole * sixteenths / 16});
+  const Points points = make(families()[0], 1, tests_take_fewer_rounds ? 20000 : 100000);
+  constexpr std::uint64_t unlimited = std::numeric_limits<std::uint64_t>::max();
+  const Context whole({.threads = 2, .most_polls = unlimited});
+  ASSERT_EQ(convex_hull(points, whole).vertices.size(), points.size());
+  ASSERT_GT(whole.polls(), 32U);
+  // At several places, so that each step is interrupted once.
+  for (const std::uint64_t sixteenths : {0U, 1U, 2U, 4U, 6U, 8U, 10U, 12U, 14U, 15U}) {
+    const Context context({.threads = 2, .most_polls = whole.polls() * sixteenths / 16});
     EXPECT_THROW(convex_hull(points, context), Cancelled) << sixteenths;
   }
   Context cancelled({.threads = 2});

@@ -22,8 +22,8 @@ class Polytope : public PolytopeShape {
  public:
   /// The hull of the points. Exact. @throws InputError without points or naming one that is not finite, Cancelled
   static Polytope hull_of(std::span<const Point3> points, const Context& context);
-  /// Where all coordinates are doubles, as fast as of these. @throws InputError without points or naming one that rounds
-  /// to no finite double, Cancelled
+  /// Where all coordinates are doubles, as fast as of these. @throws InputError without points or naming one that
+  /// rounds to no finite double, Cancelled
   static Polytope hull_of(std::span<const RationalPoint3> points, const Context& context);
   /// Of points of a table, given or constructed. @throws as that of rationals
   static Polytope hull_of(const Constructions& table, std::span<const PointId> points, const Context& context);
