@@ -23,7 +23,7 @@ using Pieces = std::vector<Polytope>;
 
 void add_findings(const std::string& what, const std::vector<std::string>& findings,
                   std::vector<std::string>& warnings) {
-  for (const std::string& line : findings) warnings.push_back(what + ": " + line);
+  for (const std::string& line : findings) warnings.emplace_back(what + ": ").append(line);
 }
 
 /// Of an exact boundary in order, as it is; else of what the surface bounds.

@@ -85,9 +85,8 @@ Rational height(const SmallestBall& ball, const Point& support, const Point& p) 
   Rational value(0);
   if (p == support) return value;
   for (unsigned axis = 0; axis < 3; ++axis) {
-    const Rational a(p[axis]);
-    const Rational b(support[axis]);
-    value += (a - b) * (a + b - ball.center[axis] - ball.center[axis]);
+    const Rational step = Rational(p[axis]) - Rational(support[axis]);
+    value += step * (step + (Rational(support[axis]) - ball.center[axis]) * Rational(2));
   }
   return value;
 }

@@ -143,7 +143,7 @@ ConvexHull convex_hull(std::span<const RationalPoint2> points, const Context& co
     if (flat.size() % 256 == 0) context.poll();
     flat.push_back({p.x, p.y, Rational(0)});
   }
-  const ConvexHull hull = convex_hull(flat, context);
+  ConvexHull hull = convex_hull(flat, context);
   if (hull.dimension < 2) return hull;
   std::vector<std::uint32_t> corners(hull.corners);
   const auto first = std::min_element(corners.begin(), corners.end(), [&](std::uint32_t a, std::uint32_t b) {

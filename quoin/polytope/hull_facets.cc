@@ -227,7 +227,7 @@ void FacetJoiner::put_in_order(UnsetVector<Facet> facets) {
   for_each_chunk(context_, parts, 1, [&](const Chunk& part) {
     const std::size_t low = bounds[part.index];
     const std::size_t high = bounds[part.index + 1];
-    std::fill(places.begin() + low, places.begin() + high, 0U);
+    std::fill(places.data() + low, places.data() + high, 0U);
     for (const Facet& f : facets) {
       if (f.first >= low && f.first < high) ++places[f.first];
     }
@@ -240,13 +240,13 @@ void FacetJoiner::put_in_order(UnsetVector<Facet> facets) {
   for_each_chunk(context_, parts, 1, [&](const Chunk& part) {
     const std::size_t low = bounds[part.index];
     const std::size_t high = bounds[part.index + 1];
-    const auto begin = facets_.begin() + totals[part.index];
+    Facet* const begin = facets_.data() + totals[part.index];
     for (const Facet& f : facets) {
       if (f.first >= low && f.first < high) begin[places[f.first]++] = f;
     }
-    const auto end = facets_.begin() + totals[part.index + 1];
-    for (auto run = begin; run != end;) {
-      auto after = run + 1;
+    const Facet* const end = facets_.data() + totals[part.index + 1];
+    for (Facet* run = begin; run != end;) {
+      Facet* after = run + 1;
       while (after != end && after->first == run->first) ++after;
       if (after - run > 1) std::sort(run, after, [](const Facet& a, const Facet& b) { return a.second < b.second; });
       run = after;

@@ -22,7 +22,7 @@ std::string name_of(const SimplexList& list, std::size_t i) {
 
 // Rows of W numbers that follow one another, as values that can be sorted.
 template <std::size_t W>
-void sort_narrow(std::uint32_t* begin, std::uint32_t* end) {
+void sort_narrow(std::uint32_t* begin, const std::uint32_t* end) {
   using Row = std::array<std::uint32_t, W>;
   static_assert(sizeof(Row) == W * sizeof(std::uint32_t));
   const std::size_t count = static_cast<std::size_t>(end - begin) / W;

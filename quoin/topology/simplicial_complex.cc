@@ -112,7 +112,7 @@ BoundaryMatrix boundary_matrix(const SimplicialComplex& complex, int k) {
   BoundaryMatrix matrix;
   matrix.rows = complex.count(k - 1);
   matrix.columns = complex.count(k);
-  matrix.column_size = static_cast<std::size_t>(k + 1);
+  matrix.column_size = static_cast<std::size_t>(k) + 1;
   for (std::uint32_t i = 0; i < matrix.columns; ++i) {
     std::int8_t sign = 1;
     for (const std::uint32_t facet : complex.facets({k, i})) {

@@ -28,8 +28,10 @@ class Orienting {
       if (parent_[first] != unseen) continue;
       parent_[first] = first;
       queue_.assign(1, first);
-      for (std::size_t next = 0; next < queue_.size(); ++next)
+      // The queue grows on the way.
+      for (std::size_t next = 0; next < queue_.size(); ++next) {  // NOLINT(modernize-loop-convert)
         if (!spread(queue_[next])) return report_;
+      }
     }
     return report_;
   }

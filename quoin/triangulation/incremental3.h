@@ -146,7 +146,8 @@ class IncrementalTriangulation {
     dead_.clear();
     facets_.clear();
     take(found);
-    for (std::size_t k = 0; k < dead_.size(); ++k) {
+    // The list grows on the way.
+    for (std::size_t k = 0; k < dead_.size(); ++k) {  // NOLINT(modernize-loop-convert)
       const TriangulationCell cell = cells_[dead_[k]];
       std::array<std::uint32_t, 4> v = cell.vertices;
       v[0] &= ~mark;
