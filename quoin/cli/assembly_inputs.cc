@@ -21,21 +21,9 @@ namespace {
 
 using Pieces = std::vector<Polytope>;
 
-void add_findings(const std::string& what, const std::vector<std::string>& findings,
-                  std::vector<std::string>& warnings) {
-  for (const std::string& line : findings) warnings.emplace_back(what + ": ").append(line);
-}
-
-/// Of an exact boundary in order, as it is; else of what the surface bounds.
 Pieces pieces_of(const Input& input, const std::string& what, std::vector<std::string>& warnings,
                  const Context& context) {
-  LeafResult made = make_leaf(input, what, context);
-  const std::vector<std::string> findings = describe(input, made.diagnosis);
-  if (!made.leaf) throw InputError(refusal(what, "does not bound a solid", findings));
-  add_findings(what, findings, warnings);
-  const Brep* exact = std::get_if<Brep>(&input);
-  if (exact != nullptr && (exact->is_unbounded || findings.empty())) return pieces_of_part(*exact, what, context);
-  return pieces_of_part(Solid::from_leaf(std::move(made.leaf), context).boundary(), what, context);
+  return pieces_of_part(solid_of_input(input, what, warnings, context).boundary(), what, context);
 }
 
 /// A group that is a solid of its own, and what was found in it.
@@ -64,7 +52,7 @@ Pieces pieces_of(const MeshObject& object, const std::string& what, std::vector<
   }
   Pieces pieces;
   for (const Body& body : bodies) {
-    add_findings(what, body.findings, warnings);
+    for (const std::string& line : body.findings) warnings.emplace_back(what + ": ").append(line);
     std::ranges::move(pieces_of_part(body.solid.boundary(), what, context), std::back_inserter(pieces));
   }
   return pieces;

@@ -26,7 +26,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-using PiecePairs = std::set<std::pair<std::uint32_t, std::uint32_t>>;
+using PiecePairs = std::set<std::pair<std::size_t, std::size_t>>;
 
 /// The report grows place by place, with the trail.
 struct Report {
