@@ -15,7 +15,7 @@
 /// moved by a thousandth.
 namespace delaunay_points {
 
-using hull_points::Point;
+using Point = std::array<double, 3>;
 
 /// A torus without functions that round differently elsewhere: rational circles, rows of unequal density.
 inline std::vector<Point> scan(std::size_t count) {

@@ -17,8 +17,7 @@
 namespace {
 
 void run(const std::string& kind, std::size_t count, int rounds, unsigned threads) {
-  std::vector<quoin::Point3> points;
-  for (const auto& [x, y, z] : hull_points::make(kind, count)) points.push_back({x, y, z});
+  const auto points = hull_points::make<quoin::Point3>(kind, count);
   const quoin::Context context({.threads = threads});
   double best = 1e300;
   std::size_t vertices = 0;

@@ -14,9 +14,9 @@
 /// sphere up to rounding, or of a lattice of the same number. The same on every platform.
 namespace hull_points {
 
-using Point = std::array<double, 3>;
-
-inline std::vector<Point> make(const std::string& kind, std::size_t count) {
+/// As a type that takes three coordinates in braces.
+template <class Point = std::array<double, 3>>
+std::vector<Point> make(const std::string& kind, std::size_t count) {
   std::vector<Point> points;
   points.reserve(count);
   if (kind == "lattice") {
@@ -34,7 +34,8 @@ inline std::vector<Point> make(const std::string& kind, std::size_t count) {
     const double square = p[0] * p[0] + p[1] * p[1] + p[2] * p[2];
     if (kind != "cube" && (square > 1 || square < 1e-6)) continue;
     if (kind == "sphere") {
-      for (double& x : p) x /= std::sqrt(square);
+      const double length = std::sqrt(square);
+      p = {p[0] / length, p[1] / length, p[2] / length};
     }
     points.push_back(p);
   }

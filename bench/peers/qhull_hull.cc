@@ -29,7 +29,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "qhull_hull KIND COUNT\n");
     return 2;
   }
-  std::vector<hull_points::Point> points = hull_points::make(words[0], std::strtoull(words[1].c_str(), nullptr, 10));
+  auto points = hull_points::make(words[0], std::strtoull(words[1].c_str(), nullptr, 10));
   double best = 1e300;
   int vertices = 0;
   int facets = 0;

@@ -59,6 +59,7 @@ class HullBuilder {
   };
   const Tally& tally() const { return tally_; }
 
+  std::span<const Point3> points() const { return points_; }
   /// Free ones among them.
   std::span<const Triangle> triangles() const { return triangles_; }
   /// Where a point of the list lies to the plane of a triangle: positive outside.

@@ -2,10 +2,6 @@
 #include "quoin/polytope/hull_filter.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
-
-#include "quoin/base/parallel.h"
 
 namespace quoin {
 
@@ -20,49 +16,16 @@ HullFilter::HullFilter(const HullBuilder& hull, double largest_coordinate) {
     plane.offset -= growth * double{triangle.slack};
     planes_.push_back(plane);
   }
-  find_inner_ball(hull);
 }
 
-/// For a plane with the rounded normal n and value v at the centre, the value at p is at most v + |n| |p - centre|; v
-/// holds the slack once, and needs it once more for its own rounding. The radius is smaller by far more than its own.
-void HullFilter::find_inner_ball(const HullBuilder& hull) {
-  if (hull.centre() == nullptr) return;
-  centre_ = *hull.centre();
-  double radius = std::numeric_limits<double>::infinity();
-  std::size_t index = 0;
-  for (std::uint32_t t = 0; t < hull.triangles().size(); ++t) {
-    if (hull.triangles()[t].is_free()) continue;
-    const HullBuilder::Plane& outer = planes_[index++];
-    const double value = outer.x * centre_.x + outer.y * centre_.y + outer.z * centre_.z - outer.offset;
-    const double slack = hull.plane(t).offset - outer.offset;
-    const double length = std::sqrt(outer.x * outer.x + outer.y * outer.y + outer.z * outer.z);
-    const double reach = -(value + slack) / length;
-    if (!(reach >= radius)) radius = reach > 0 ? reach : 0;  // 0 too where it is no number
+void HullFilter::append_others(std::span<const Point3> points, std::size_t begin, std::size_t end, std::uint32_t step,
+                               std::vector<std::uint32_t>& others) const {
+  Block block;
+  for (std::size_t i = begin; i < end; ++i) {
+    block.add(static_cast<std::uint32_t>(i * step), points[i * step]);
+    if (block.count == block_size) append_others(block, others);
   }
-  const double squared = radius * radius * (1 - 0x1p-30);
-  squared_radius_ = radius > 0x1p-400 && squared < 0x1p1000 ? squared : 0;
-}
-
-void HullFilter::append_others(std::span<const Point3> points, std::uint32_t step, std::vector<std::uint32_t>& others,
-                               const Context& context) const {
-  constexpr std::size_t grain = 65536;
-  const std::size_t count = chunk_count(points.size(), step);
-  std::vector<std::vector<std::uint32_t>> lists(chunk_count(count, grain));
-  for_each_chunk(context, count, grain, [&](const Chunk& chunk) {
-    Block block;
-    for (std::size_t k = chunk.begin; k < chunk.end; ++k) {
-      const Point3& p = points[k * step];
-      const Vector3 d{p.x - centre_.x, p.y - centre_.y, p.z - centre_.z};
-      if (d.x * d.x + d.y * d.y + d.z * d.z < squared_radius_) continue;
-      block.add(static_cast<std::uint32_t>(k * step), p);
-      if (block.count == block_size) append_others(block, lists[chunk.index]);
-    }
-    append_others(block, lists[chunk.index]);
-  });
-  std::size_t total = others.size();
-  for (const auto& list : lists) total += list.size();
-  others.reserve(total);
-  for (const auto& list : lists) others.insert(others.end(), list.begin(), list.end());
+  append_others(block, others);
 }
 
 /// Without branches, so that several points are tested at once. A value that is no number lets its point pass.

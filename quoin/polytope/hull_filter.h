@@ -6,20 +6,21 @@
 #include <span>
 #include <vector>
 
-#include "quoin/base/context.h"
+#include "quoin/kernel/point.h"
 #include "quoin/polytope/hull_builder.h"
 
 namespace quoin {
 
-/// Leaves out points that are surely inside the hull of a few of them. The error bounds of that hull's planes must hold
-/// for all points: none has a larger coordinate than those it was told of.
+/// Leaves out points that are surely inside a hull of few facets, by all its planes: for hulls that are thin and lie
+/// askew, of which `HullReach` holds little.
 class HullFilter {
  public:
+  /// No later point may have a larger coordinate, in magnitude, than `largest_coordinate`.
   HullFilter(const HullBuilder& hull, double largest_coordinate);
 
-  /// Appends first, first + step ... below the number of points, but for those surely inside. O(n), for few planes.
-  void append_others(std::span<const Point3> points, std::uint32_t step, std::vector<std::uint32_t>& others,
-                     const Context& context) const;
+  /// Of each step-th point, from begin * step to before end * step: appends those that are not surely inside.
+  void append_others(std::span<const Point3> points, std::size_t begin, std::size_t end, std::uint32_t step,
+                     std::vector<std::uint32_t>& others) const;
 
  private:
   static constexpr std::size_t block_size = 64;
@@ -38,12 +39,9 @@ class HullFilter {
     }
   };
 
-  void find_inner_ball(const HullBuilder& hull);
   void append_others(Block& block, std::vector<std::uint32_t>& others) const;
 
   std::vector<HullBuilder::Plane> planes_;  // moved outwards by their slack: inside is below zero
-  Point3 centre_{};
-  double squared_radius_ = 0;  // of a ball about the centre that is surely inside, or 0
 };
 
 }  // namespace quoin
