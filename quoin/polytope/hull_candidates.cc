@@ -42,8 +42,12 @@ std::vector<std::uint32_t> left_by(const Filter& filter, std::span<const Point3>
 }
 
 /// Worth a pass over the points, and what they cost in memory.
-bool drops_many(std::size_t left, std::size_t of) { return 8 * left < 7 * of; }
-bool drops_half(std::size_t left, std::size_t of) { return 2 * left < of; }
+bool drops_many(std::size_t left, std::size_t of) {
+  return 8 * left < 7 * of;
+}
+bool drops_half(std::size_t left, std::size_t of) {
+  return 2 * left < of;
+}
 
 }  // namespace
 
