@@ -12,6 +12,7 @@
 #include "quoin/kernel/constructed_filters.h"
 #include "quoin/kernel/constructions_exact.h"
 #include "quoin/kernel/constructions_grid.h"
+#include "quoin/number/two_doubles.h"
 
 namespace quoin {
 
@@ -42,21 +43,29 @@ ExactTable<Numbers> table_of_doubles(const std::vector<Point3>& points, std::vec
   return ExactTable<Numbers>(ExplicitPoints<Numbers>(points.data(), std::move(tails), lo), points.size());
 }
 
-/// What rounding to nearest cut off, if doubles hold that too.
-std::optional<std::vector<Point3>> tails_of(const std::vector<RationalPoint3>& points,
-                                            const std::vector<Point3>& rounded, const Context* context) {
-  std::vector<Point3> tails(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
+struct RoundedPoints {
+  std::vector<Point3> points;
+  std::vector<Point3> tails;  // what rounding cut off; empty if nothing
+  bool has_tails = true;      // else doubles do not hold that
+};
+RoundedPoints rounded_points(const std::vector<RationalPoint3>& exact, const Context* context) {
+  RoundedPoints result;
+  result.points.resize(exact.size());
+  result.tails.resize(exact.size());
+  bool is_cut = false;
+  for (std::size_t i = 0; i < exact.size(); ++i) {
     if (context != nullptr && i % 256 == 0) context->poll();
     for (unsigned axis = 0; axis < 3; ++axis) {
-      if (!std::isfinite(rounded[i][axis])) return std::nullopt;
-      const Rational rest = points[i][axis] - Rational(rounded[i][axis]);
-      if (rest.sign() == Sign::zero) continue;
-      tails[i][axis] = rest.to_double();
-      if (!std::isfinite(tails[i][axis]) || Rational(tails[i][axis]) != rest) return std::nullopt;
+      const Rational& x = exact[i][axis];
+      const auto parts = result.has_tails ? as_two_doubles(x) : std::nullopt;
+      result.has_tails = parts.has_value();
+      result.points[i][axis] = parts ? parts->value + 0.0 : x.to_double() + 0.0;
+      result.tails[i][axis] = parts ? parts->tail : 0;
+      is_cut = is_cut || result.tails[i][axis] != 0;
     }
   }
-  return tails;
+  if (!is_cut || !result.has_tails) result.tails.clear();
+  return result;
 }
 
 constexpr unsigned next_axis(unsigned axis) {
@@ -90,23 +99,17 @@ Constructions::Constructions(std::vector<Point3> explicit_points) : Construction
 }
 
 Constructions::Constructions(std::vector<RationalPoint3> explicit_points, const Context* context) : Constructions() {
-  std::vector<Point3> rounded;
-  rounded.reserve(explicit_points.size());
-  double largest = 0;
-  for (const RationalPoint3& p : explicit_points) {
-    if (context != nullptr && rounded.size() % 256 == 0) context->poll();
-    rounded.push_back({p.x.to_double() + 0.0, p.y.to_double() + 0.0, p.z.to_double() + 0.0});
-    largest = std::max(largest, filter::max_abs(rounded.back()));
-  }
-  if (auto tails = tails_of(explicit_points, rounded, context)) {
-    if (std::all_of(tails->begin(), tails->end(), [](const Point3& t) { return t == Point3{}; })) tails->clear();
-    set_doubles(std::move(rounded), std::move(*tails));
+  RoundedPoints rounded = rounded_points(explicit_points, context);
+  if (rounded.has_tails) {
+    set_doubles(std::move(rounded.points), std::move(rounded.tails));
     return;
   }
+  double largest = 0;
+  for (const Point3& p : rounded.points) largest = std::max(largest, filter::max_abs(p));
   filter_kind_ = FilterKind::rounded;
   grid_class_ = GridClass::rational;
   explicit_count_ = explicit_points.size();
-  points_ = std::move(rounded);
+  points_ = std::move(rounded.points);
   set_extent(largest);
   ExplicitPoints<detail::NumbersRational> points(std::move(explicit_points));
   store_ = std::make_unique<Store>(Store{ExactTable<detail::NumbersRational>(std::move(points), explicit_count_)});

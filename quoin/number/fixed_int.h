@@ -247,19 +247,23 @@ inline Integer to_integer(const FixedInt<N>& a) {
 }
 
 /// Of |a|; a is not zero.
-inline LeadingBits leading_bits(const Integer& a) {
-  const std::size_t length = a.bit_length();
+inline LeadingBits leading_bits(mpz_srcptr a) {
+  static_assert(GMP_NUMB_BITS == 64);
+  const mp_limb_t* const limbs = mpz_limbs_read(a);
+  const std::size_t top = mpz_size(a) - 1;
+  const int shift = std::countl_zero(limbs[top]);
   LeadingBits result;
-  result.exponent = static_cast<std::int64_t>(length) - 64;
-  Integer top = abs(a);
-  if (length >= 64) {
-    result.sticky = a.trailing_zeros() < length - 64;
-    top >>= length - 64;
-  } else {
-    top <<= 64 - length;
+  result.bits = limbs[top] << shift;
+  result.exponent = static_cast<std::int64_t>(64 * top) - shift;
+  if (top > 0) {
+    const std::uint64_t next = limbs[top - 1];
+    if (shift > 0) result.bits |= next >> (64 - shift);
+    result.sticky = next << shift != 0 || mpz_scan1(a, 0) < 64 * (top - 1);
   }
-  mpz_export(&result.bits, nullptr, -1, sizeof(std::uint64_t), 0, 0, top.raw());
   return result;
+}
+inline LeadingBits leading_bits(const Integer& a) {
+  return leading_bits(a.raw());
 }
 
 /// The nearest double, ties to even, of the leading bits alone: in [2^63, 2^64], to be multiplied by 2^exponent.

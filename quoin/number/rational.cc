@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "quoin/number/rational.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "quoin/base/error.h"
 
 namespace quoin {
@@ -40,44 +37,6 @@ Integer Rational::denominator() const {
   Integer result;
   mpz_set(result.raw(), mpq_denref(value_));
   return result;
-}
-
-double Rational::to_double() const {
-  if (sign() == Sign::zero) return 0;
-  Integer p = abs(numerator());
-  Integer q = denominator();
-  // Scale so that the quotient has the bits a double of its size has: 53, or fewer for subnormals.
-  const auto size =
-      static_cast<long>(p.bit_length()) - static_cast<long>(q.bit_length());  // 2^(size-1) < p/q < 2^(size+1)
-  long exponent = std::max(size - 54, -1074L);
-  if (exponent >= 0) {
-    q <<= static_cast<std::size_t>(exponent);
-  } else {
-    p <<= static_cast<std::size_t>(-exponent);
-  }
-  Integer quotient;
-  Integer rest;
-  mpz_tdiv_qr(quotient.raw(), rest.raw(), p.raw(), q.raw());
-  // At most 55 bits: drop those beyond 53 into a sticky remainder, unless the lowest place is that of subnormals.
-  bool sticky = rest.sign() != Sign::zero;
-  Sign half = Sign::zero;  // the dropped part against one half unit
-  const std::size_t bits = quotient.bit_length();
-  if (bits > 53) {
-    const std::size_t drop = bits - 53;
-    Integer low;
-    mpz_tdiv_r_2exp(low.raw(), quotient.raw(), drop);
-    const Integer middle = Integer(1) << (drop - 1);
-    half = low == middle ? (sticky ? Sign::positive : Sign::zero) : low > middle ? Sign::positive : Sign::negative;
-    quotient >>= drop;
-    exponent += static_cast<long>(drop);
-  } else {
-    const Integer twice = rest << 1;
-    half = twice == q ? Sign::zero : twice > q ? Sign::positive : Sign::negative;
-  }
-  const bool odd = mpz_odd_p(quotient.raw()) != 0;
-  if (half == Sign::positive || (half == Sign::zero && odd)) quotient += Integer(1);
-  const double magnitude = std::ldexp(mpz_get_d(quotient.raw()), static_cast<int>(std::min(exponent, 4000L)));
-  return sign() == Sign::negative ? -magnitude : magnitude;
 }
 
 }  // namespace quoin

@@ -14,46 +14,61 @@ namespace quoin {
 
 namespace {
 
-/// The sums as doubles, if all are.
-std::optional<std::vector<Point3>> sums_in_doubles(std::span<const PairMesh::Corner> corners, const TiledSurface& a,
-                                                   const TiledSurface& b) {
+/// Points that are sums of doubles: what doubles are nearest to them, and what these leave.
+struct Sums {
+  std::vector<Point3> nearest;
+  std::vector<Point3> tails;
+  bool are_doubles = true;
+};
+
+/// If the corners are doubles and no sum leaves their range.
+std::optional<Sums> sums_of_doubles(std::span<const PairMesh::Corner> corners, const TiledSurface& a,
+                                    const TiledSurface& b) {
   if (!a.has_doubles() || !b.has_doubles()) return std::nullopt;
-  std::vector<Point3> sums;
-  sums.reserve(corners.size());
-  for (const PairMesh::Corner& c : corners) {
-    Point3 sum;
+  Sums sums;
+  sums.nearest.resize(corners.size());
+  sums.tails.resize(corners.size());
+  for (std::size_t i = 0; i < corners.size(); ++i) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const TwoDoubles exact = two_sum(a.point(c.a)[axis], b.point(c.b)[axis]);
-      if (!std::isfinite(exact.value) || exact.tail != 0) return std::nullopt;
-      sum[axis] = exact.value + 0.0;
+      const TwoDoubles exact = two_sum(a.point(corners[i].a)[axis], b.point(corners[i].b)[axis]);
+      if (!std::isfinite(exact.value)) return std::nullopt;
+      sums.nearest[i][axis] = exact.value + 0.0;
+      sums.tails[i][axis] = exact.tail;
+      sums.are_doubles = sums.are_doubles && exact.tail == 0;
     }
-    sums.push_back(sum);
   }
   return sums;
 }
 
-/// For each point the first in the order of coordinates that is equal; `is_less` is that order.
-template <class Point, class IsLess>
-std::vector<std::uint32_t> first_equal(const std::vector<Point>& points, const IsLess& is_less,
-                                       const Context& context) {
-  std::vector<std::uint32_t> order(points.size());
+/// For each of `count` points, by number, the first in the order of coordinates that is equal.
+template <class IsLess>
+std::vector<std::uint32_t> first_equal(std::size_t count, const IsLess& is_less, const Context& context) {
+  std::vector<std::uint32_t> order(count);
   std::iota(order.begin(), order.end(), 0U);
   std::size_t comparisons = 0;
   std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
     if (++comparisons % 4096 == 0) context.poll();
-    if (is_less(points[i], points[j])) return true;
-    return !is_less(points[j], points[i]) && i < j;
+    if (is_less(i, j)) return true;
+    return !is_less(j, i) && i < j;
   });
-  std::vector<std::uint32_t> first(points.size());
+  std::vector<std::uint32_t> first(count);
   for (std::size_t i = 0; i < order.size(); ++i) {
-    const bool is_new = i == 0 || is_less(points[order[i - 1]], points[order[i]]);
+    const bool is_new = i == 0 || is_less(order[i - 1], order[i]);
     first[order[i]] = is_new ? order[i] : first[order[i - 1]];
   }
   return first;
 }
 
-template <class Point>
-bool comes_before(const Point& p, const Point& q) {
+/// Rounding keeps the order, so what is left counts where the nearest doubles are equal.
+bool comes_before(const Sums& sums, std::uint32_t i, std::uint32_t j) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (sums.nearest[i][axis] != sums.nearest[j][axis]) return sums.nearest[i][axis] < sums.nearest[j][axis];
+    if (sums.tails[i][axis] != sums.tails[j][axis]) return sums.tails[i][axis] < sums.tails[j][axis];
+  }
+  return false;
+}
+
+bool comes_before(const RationalPoint3& p, const RationalPoint3& q) {
   if (p.x != q.x) return p.x < q.x;
   if (p.y != q.y) return p.y < q.y;
   return p.z < q.z;
@@ -79,17 +94,21 @@ std::shared_ptr<const Leaf> PairMesh::leaf(const TiledSurface& a, const TiledSur
   mesh.name = "sum";
   std::vector<RationalPoint3> exact;
   std::vector<std::uint32_t> first;
-  if (auto sums = sums_in_doubles(vertices_, a, b)) {
-    mesh.vertices = std::move(*sums);
-    first = first_equal(mesh.vertices, comes_before<Point3>, context);
-  } else {
+  std::optional<Sums> sums = sums_of_doubles(vertices_, a, b);
+  if (!sums || !sums->are_doubles) {
     for (const Corner& c : vertices_) {
       if (exact.size() % 256 == 0) context.poll();
       exact.push_back(a.exact(c.a) + b.exact(c.b));
-      const RationalPoint3& p = exact.back();
-      mesh.vertices.push_back({p.x.to_double(), p.y.to_double(), p.z.to_double()});
     }
-    first = first_equal(exact, comes_before<RationalPoint3>, context);
+  }
+  if (sums) {
+    first = first_equal(
+        vertices_.size(), [&](std::uint32_t i, std::uint32_t j) { return comes_before(*sums, i, j); }, context);
+    mesh.vertices = std::move(sums->nearest);
+  } else {
+    for (const RationalPoint3& p : exact) mesh.vertices.push_back({p.x.to_double(), p.y.to_double(), p.z.to_double()});
+    first = first_equal(
+        vertices_.size(), [&](std::uint32_t i, std::uint32_t j) { return comes_before(exact[i], exact[j]); }, context);
   }
   for (const Tile& t : triangles_) mesh.add_face(Tile{first[t[0]], first[t[1]], first[t[2]]});
   LeafOptions options;
