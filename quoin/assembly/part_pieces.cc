@@ -14,7 +14,7 @@ std::vector<Polytope> pieces_of_part(const Brep& boundary, const std::string& na
   if (boundary.face_count() == 0) throw InputError(name + ": the part is empty");
   std::vector<Polytope> pieces;
   for (Brep& component : component_boundaries(boundary, context)) {
-    const bool is_convex = component.shells.size() == 1 && find_notches(component, context).empty();
+    const bool is_convex = component.shells.size() == 1 && !has_notch(component, context);
     if (is_convex) {
       pieces.push_back(hull_of_boundary(component, context));
       continue;

@@ -44,7 +44,7 @@ Operand read_operand(const std::string& name, const Options& options, std::vecto
 bool is_convex(const Operand& operand, const Context& context) {
   const Solid* solid = std::get_if<Solid>(&operand);
   if (solid == nullptr) return true;
-  return solid->boundary().shells.size() == 1 && find_notches(solid->boundary(), context).empty();
+  return solid->boundary().shells.size() == 1 && !has_notch(solid->boundary(), context);
 }
 
 void require_operands(const Options& options) {

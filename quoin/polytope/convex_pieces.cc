@@ -9,7 +9,7 @@ namespace quoin {
 
 std::optional<std::vector<Polytope>> convex_pieces(const Brep& boundary, const Context& context) {
   const bool has_voids = std::ranges::any_of(boundary.shells, &Shell::is_void);
-  if (boundary.is_unbounded || has_voids || !find_notches(boundary, context).empty()) return std::nullopt;
+  if (boundary.is_unbounded || has_voids || has_notch(boundary, context)) return std::nullopt;
   std::vector<std::vector<PointId>> corners(boundary.shells.size());
   for (std::uint32_t f = 0; f < boundary.face_count(); ++f) {
     for (std::uint32_t l = boundary.face_first_loop[f]; l < boundary.face_first_loop[f + 1]; ++l) {

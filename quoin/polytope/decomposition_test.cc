@@ -23,12 +23,14 @@ using Random = std::mt19937_64;
 
 /// Convex pieces that do not overlap and make up the solid; no fewer than the bound.
 ConvexDecomposition checked(const Solid& s) {
+  EXPECT_EQ(has_notch(s.boundary(), one_thread), !find_notches(s.boundary(), one_thread).empty());
   ConvexDecomposition result = convex_decomposition(s, one_thread);
   Rational sum(0);
   for (const Solid& piece : result.pieces) {
     EXPECT_EQ(piece.boundary().component_count, 1U);
     EXPECT_EQ(piece.boundary().shells.size(), 1U);
     EXPECT_TRUE(find_notches(piece.boundary(), one_thread).empty());
+    EXPECT_FALSE(has_notch(piece.boundary(), one_thread));
     sum += volume_of(piece);
   }
   EXPECT_EQ(sum, volume_of(s)) << "so they do not overlap, as their union is the solid";

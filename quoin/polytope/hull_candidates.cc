@@ -5,6 +5,8 @@
 // root of their number, so that all these hulls are small.
 #include "quoin/polytope/hull_candidates.h"
 
+#include <algorithm>
+
 #include "quoin/base/parallel.h"
 #include "quoin/polytope/hull_filter.h"
 #include "quoin/polytope/hull_of_some.h"
@@ -14,9 +16,15 @@ namespace quoin {
 
 namespace {
 
-constexpr std::size_t few_points = 1000;
-constexpr std::uint32_t growth = 16;
+constexpr std::uint32_t many_points = 1000;
+constexpr std::uint32_t very_many_points = 30000;  // enough to pay for a table
+constexpr std::uint32_t few_points = 256;
 constexpr std::size_t grain = 65536;
+
+/// From each step-th point to each of 16 times as many; to all, if that is not many more.
+std::uint32_t finer(std::uint32_t step) {
+  return step >= 64 ? step / 16 : 1;
+}
 
 std::vector<std::uint32_t> each_of(std::size_t count, std::uint32_t step) {
   std::vector<std::uint32_t> result(chunk_count(count, step));
@@ -45,28 +53,34 @@ std::vector<std::uint32_t> left_by(const Filter& filter, std::span<const Point3>
 bool drops_many(std::size_t left, std::size_t of) {
   return 8 * left < 7 * of;
 }
-bool drops_half(std::size_t left, std::size_t of) {
-  return 2 * left < of;
+
+/// By the planes of a hull of few points that reach far.
+std::vector<std::uint32_t> left_by_planes(std::span<const Point3> points, std::uint32_t step, double largest,
+                                          const Simplex& simplex, const Context& context) {
+  const HullOfSome small(points, extremes(points, context), simplex, context);
+  const HullFilter planes(small.builder, largest);
+  const std::uint32_t tried = std::max(step, static_cast<std::uint32_t>(points.size() / few_points));
+  const std::size_t count = chunk_count(points.size(), tried);
+  if (!drops_many(left_by(planes, points, tried, context).size(), count)) return each_of(points.size(), step);
+  return left_by(planes, points, step, context);
 }
 
 }  // namespace
 
 std::vector<std::uint32_t> hull_candidates(std::span<const Point3> points, double largest, const Simplex& simplex,
                                            const Context& context) {
-  std::uint32_t step = 1;
-  while (points.size() / step > few_points) step *= growth;
+  if (points.size() < many_points) return each_of(points.size(), 1);
+  if (points.size() < very_many_points) return left_by_planes(points, 1, largest, simplex, context);
+  auto step = static_cast<std::uint32_t>(points.size() / few_points);
   std::vector<std::uint32_t> some = each_of(points.size(), step);
   while (step > 1) {
     const HullOfSome hull(points, some, simplex, context);
-    step /= growth;
-    const std::size_t count = chunk_count(points.size(), step);
+    step = finer(step);
     some = left_by(HullReach(hull.builder, largest), points, step, context);
-    if (drops_half(some.size(), count)) continue;
-    const HullOfSome small(points, extremes(points, context), simplex, context);
-    const HullFilter planes(small.builder, largest);
-    const std::size_t left = left_by(planes, points, step, context).size();
-    if (left < some.size() && drops_many(left, count)) return left_by(planes, points, 1, context);
-    if (!drops_many(some.size(), count)) return each_of(points.size(), 1);
+    if (2 * some.size() < chunk_count(points.size(), step)) continue;
+    // Of a thin hull that lies askew the table holds little.
+    const std::size_t of_planes = left_by_planes(points, step, largest, simplex, context).size();
+    if (of_planes <= some.size()) return left_by_planes(points, 1, largest, simplex, context);
   }
   return some;
 }

@@ -32,11 +32,21 @@ LargeVector<Point3> gather(std::span<const Point3> points, std::span<const std::
   return result;
 }
 
+/// A few as they come.
+RandomOrder rounds_of(std::span<const Point3> points, std::span<const std::uint32_t> chosen, const Context& context) {
+  constexpr std::size_t few = 64;
+  if (chosen.size() > few) return biased_random_order(points, chosen, context);
+  RandomOrder order;
+  order.points.assign(chosen.begin(), chosen.end());
+  order.round_begin.back() = chosen.size();
+  return order;
+}
+
 }  // namespace
 
 HullOfSome::HullOfSome(std::span<const Point3> points, std::span<const std::uint32_t> chosen, const Simplex& simplex,
                        const Context& context)
-    : HullOfSome(points, biased_random_order(points, chosen, context), simplex, context) {}
+    : HullOfSome(points, rounds_of(points, chosen, context), simplex, context) {}
 
 HullOfSome::HullOfSome(std::span<const Point3> points, const RandomOrder& rounds, const Simplex& simplex,
                        const Context& context)

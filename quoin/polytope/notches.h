@@ -18,5 +18,7 @@ struct Notch {
 
 /// All of them. A connected solid without notches is convex. Exact, O(n log n).
 std::vector<Notch> find_notches(const Brep& boundary, const Context& context);
+/// Whether there is one.
+bool has_notch(const Brep& boundary, const Context& context);
 
 }  // namespace quoin

@@ -9,6 +9,7 @@
 
 #include "quoin/base/parallel.h"
 #include "quoin/solid/dyadic_cones.h"
+#include "quoin/solid/fixed_point_cones.h"
 
 namespace quoin {
 
@@ -79,6 +80,33 @@ std::vector<Rational> cone_volumes(const Brep& boundary, const Context& context)
   return terms;
 }
 
+// The double nearest to all numbers from low to high, if it is one.
+std::optional<double> common_nearest(const Rational& low, const Rational& high) {
+  const double below = low.to_double();
+  if (below != high.to_double()) return std::nullopt;
+  return below + 0.0;  // not the negative zero below one that vanishes
+}
+
+// Nothing where the volume is too near the middle of two doubles, or all faces are over doubles.
+std::optional<double> enclosed_volume(const Brep& boundary, const Context& context) {
+  const std::optional<DyadicCones> dyadic = DyadicCones::of(boundary);
+  std::vector<std::uint32_t> others;
+  DyadicCones::Sum sum;
+  for (std::uint32_t f = 0; f < boundary.face_count(); ++f) {
+    if (f % 1024 == 0) context.poll();
+    if (!dyadic || !dyadic->holds(f)) {
+      others.push_back(f);
+    } else {
+      dyadic->add(f, sum);
+    }
+  }
+  if (others.empty()) return std::nullopt;
+  const std::optional<FixedPointCones> cones = FixedPointCones::of(boundary, others, context);
+  if (!cones) return std::nullopt;
+  const Rational exact = dyadic ? dyadic->value(sum) : Rational(0);
+  return common_nearest((exact + cones->low()) / Rational(6), (exact + cones->high()) / Rational(6));
+}
+
 // floor(value * 2^bits)
 Integer fixed_point(const Rational& value, long bits) {
   Integer p = value.numerator();
@@ -137,6 +165,7 @@ Rational volume(const Brep& boundary, const Context& context) {
 }
 
 double rounded_volume(const Brep& boundary, const Context& context) {
+  if (const std::optional<double> quick = enclosed_volume(boundary, context)) return *quick;
   const std::vector<Rational> terms = cone_volumes(boundary, context);
   // Each term is below its exact value by less than one unit, so the sum by less than their number.
   long bits = 128;
@@ -149,9 +178,9 @@ double rounded_volume(const Brep& boundary, const Context& context) {
     Integer low(0);
     for (const Rational& term : terms) low += fixed_point(term, bits);
     const Integer high = low + Integer(static_cast<std::int64_t>(terms.size()));
-    const double below = (from_fixed_point(low, bits) / Rational(6)).to_double();
-    const double above = (from_fixed_point(high, bits) / Rational(6)).to_double();
-    if (below == above) return below + 0.0;  // not the negative zero below one that vanishes
+    const auto nearest =
+        common_nearest(from_fixed_point(low, bits) / Rational(6), from_fixed_point(high, bits) / Rational(6));
+    if (nearest) return *nearest;
     context.poll();
   }
   return (sum(terms) / Rational(6)).to_double();

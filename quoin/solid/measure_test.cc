@@ -468,6 +468,21 @@ TEST(Measure, RoundedVolumeBreaksTiesToEven) {
   }
 }
 
+// The same volumes over constructed points, of which no enclosure tells the nearest double.
+TEST(Measure, RoundedVolumeOfConstructedPointsBreaksTiesToEven) {
+  const auto rounded = [&](double x, double y) {
+    const std::vector<Solid> boxes{solid(shapes::box({0, 0, -1}, {x, y + 1, 1})),
+                                   solid(shapes::box({-1, -1, 0}, {x + 1, y, 2}))};
+    const Solid both = intersect(boxes, one_thread);
+    EXPECT_GT(both.boundary().points.point_count(), both.boundary().points.explicit_count());
+    expect_measures(both.boundary());
+    return rounded_volume(both.boundary(), one_thread);
+  };
+  EXPECT_EQ(rounded(3, 3002399751580331 - 1), 0x1p53 - 2);
+  EXPECT_EQ(rounded(3, 3002399751580331), 0x1p53);
+  EXPECT_EQ(rounded(5, 1801439850948199), 0x1p53 + 4);
+}
+
 TEST(Measure, TheSameOnAnyNumberOfThreads) {
   for (const int bits : {61, 124, 125}) {
     SCOPED_TRACE(bits);
