@@ -13,7 +13,7 @@
 namespace quoin::detail {
 
 /// Fills polygons left by removed triangles with the triangles whose circles hold no other corner, in the same places
-/// of the list. Both sides of an edge may be such polygons.
+/// of the list. Both sides of an edge may be such polygons. The list is as it was until `end`, which does not throw.
 template <class Predicates>
 class CavityFill2 {
  public:
@@ -23,7 +23,7 @@ class CavityFill2 {
   /// `ids` are places for new triangles, `outer` the edges about the cavity as seen from outside.
   void begin(std::span<const std::uint32_t> ids, std::span<const std::uint32_t> outer) {
     ids_ = ids;
-    made_ = 0;
+    made_.clear();
     sides_.clear();
     for (const std::uint32_t code : outer) {
       const auto& corner = triangles_[code / 4].corner;
@@ -50,8 +50,9 @@ class CavityFill2 {
     }
   }
 
-  /// Links the new triangles with each other and with those outside; how many were made.
+  /// Puts the new triangles into their places, linked with each other and with those outside; how many were made.
   std::size_t end() {
+    for (std::size_t i = 0; i < made_.size(); ++i) triangles_[ids_[i]].corner = made_[i];
     std::sort(sides_.begin(), sides_.end(), [](const Side& a, const Side& b) { return a.ends < b.ends; });
     for (std::size_t i = 0; i + 1 < sides_.size(); i += 2) {
       const std::uint32_t a = sides_[i].code;
@@ -59,7 +60,7 @@ class CavityFill2 {
       triangles_[a / 4].across[a % 4] = b;
       triangles_[b / 4].across[b % 4] = a;
     }
-    return made_;
+    return made_.size();
   }
 
  private:
@@ -93,8 +94,8 @@ class CavityFill2 {
   }
 
   void make_triangle(const std::array<std::uint32_t, 3>& corner) {
-    const std::uint32_t id = ids_[made_++];
-    triangles_[id].corner = corner;
+    const std::uint32_t id = ids_[made_.size()];
+    made_.push_back(corner);
     for (unsigned slot = 0; slot < 3; ++slot) {
       sides_.push_back({ends_of(corner[next_slot(slot)], corner[previous_slot(slot)]), 4 * id + slot});
     }
@@ -104,7 +105,7 @@ class CavityFill2 {
   LargeVector<TriangleLinks2>& triangles_;
   std::uint32_t infinite_;
   std::span<const std::uint32_t> ids_;
-  std::size_t made_ = 0;
+  std::vector<std::array<std::uint32_t, 3>> made_;
   std::vector<Side> sides_;
   std::vector<Base> bases_;
 };

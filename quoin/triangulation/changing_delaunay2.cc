@@ -26,6 +26,29 @@ const Context& no_context() {
   return context;
 }
 
+// Room for one more, in steps that grow.
+template <class List>
+void make_room(List& list) {
+  if (list.size() == list.capacity()) list.reserve(2 * list.size() + 1);
+}
+
+// Lends the triangles to an insertion and takes them back whatever happens: where it fails, it has linked none of those
+// that it added.
+template <class Use>
+auto lend(LargeVector<TriangleLinks2>& triangles, Insertion& insertion, std::uint32_t near, const Use& use) {
+  const std::size_t count = triangles.size();
+  insertion.adopt(std::move(triangles), near);
+  try {
+    const auto result = use();
+    triangles = insertion.release();
+    return result;
+  } catch (...) {
+    triangles = insertion.release();
+    triangles.resize(count);
+    throw;
+  }
+}
+
 }  // namespace
 
 ChangingDelaunay2::ChangingDelaunay2() {
@@ -56,42 +79,55 @@ Vertex2 ChangingDelaunay2::insert(const Point2& given) {
   if (!std::isfinite(given.x) || !std::isfinite(given.y)) throw InputError("the point is not finite");
   const Point2 p{given.x + 0.0, given.y + 0.0};
   require_edge_codes(points_.size());
-  if (dimension_ < 2) return insert_on_line(p);
-  const std::uint32_t near = nearby_triangle(p);
-  const Vertex2 v = add_vertex(p);
-  const DelaunayPredicates2 predicates(points_, infinite_vertex());
+  return dimension_ < 2 ? insert_on_line(p) : insert_in_plane(p);
+}
+
+Vertex2 ChangingDelaunay2::insert_in_plane(const Point2& p) {
+  DelaunayPredicates2 predicates(points_, infinite_vertex());
   Insertion insertion(predicates, infinite, no_context());
-  insertion.adopt(std::move(triangles_), near);
-  const std::uint32_t at = insertion.find(p);
-  triangles_ = insertion.release();
+  const std::uint32_t at = lend(triangles_, insertion, nearby_triangle(p), [&] { return insertion.find(p); });
   for (const std::uint32_t corner : triangles_[at].corner) {
     if (corner == infinite || points_[corner] != p) continue;
-    multiplicity_[v.index()] = 0;
-    free_.push_back(v.value);
-    --count_;
     ++multiplicity_[corner];
     return Vertex2(std::size_t{corner});
   }
-  insertion.adopt(std::move(triangles_), at);
-  const auto made = insertion.insert(v.value);
-  triangles_ = insertion.release();
-  for (const std::uint32_t t : made) update_star(t);
+  const Vertex2 v = add_vertex(p);
+  predicates = DelaunayPredicates2(points_, infinite_vertex());
+  try {
+    for (const std::uint32_t t : lend(triangles_, insertion, at, [&] { return insertion.insert(v.value); })) {
+      update_star(t);
+    }
+  } catch (...) {
+    take_back(v);
+    throw;
+  }
   return v;
 }
 
 Vertex2 ChangingDelaunay2::add_vertex(const Point2& p) {
-  ++count_;
-  if (!free_.empty()) {
-    const Vertex2 v(std::size_t{free_.back()});
-    free_.pop_back();
-    points_[v.index()] = p;
-    multiplicity_[v.index()] = 1;
-    return v;
+  if (free_.empty()) {
+    make_room(points_);
+    make_room(multiplicity_);
+    make_room(star_);
+    make_room(free_);  // for take_back
+    free_.push_back(static_cast<std::uint32_t>(points_.size()));
+    points_.push_back(p);
+    multiplicity_.push_back(0);
+    star_.push_back(Vertex2::none_value);
   }
-  points_.push_back(p);
-  multiplicity_.push_back(1);
-  star_.push_back(Vertex2::none_value);
-  return Vertex2(points_.size() - 1);
+  const Vertex2 v(std::size_t{free_.back()});
+  free_.pop_back();
+  points_[v.index()] = p;
+  multiplicity_[v.index()] = 1;
+  ++count_;
+  return v;
+}
+
+// The vertex that was added last, where nothing came of it.
+void ChangingDelaunay2::take_back(Vertex2 v) {
+  --count_;
+  multiplicity_[v.index()] = 0;
+  free_.push_back(v.value);
 }
 
 Vertex2 ChangingDelaunay2::insert_on_line(const Point2& p) {
@@ -101,13 +137,18 @@ Vertex2 ChangingDelaunay2::insert_on_line(const Point2& p) {
     ++multiplicity_[after->index()];
     return *after;
   }
-  const auto place = after - line_.begin();
+  const bool leaves = line_.size() > 1 && orientation(point(line_.front()), point(line_.back()), p) != Sign::zero;
   const Vertex2 v = add_vertex(p);
-  if (line_.size() > 1 && orientation(point(line_.front()), point(line_.back()), p) != Sign::zero) {
-    leave_line(v);
-    return v;
+  try {
+    if (leaves) {
+      leave_line(v);
+      return v;
+    }
+    line_.insert(after, v);
+  } catch (...) {
+    take_back(v);
+    throw;
   }
-  line_.insert(line_.begin() + place, v);
   dimension_ = line_.size() > 1 ? 1 : 0;
   return v;
 }
@@ -128,14 +169,21 @@ void ChangingDelaunay2::leave_line(Vertex2 apex) {
 
 void ChangingDelaunay2::remove(Vertex2 v) {
   if (v == infinite_vertex() || !lives(v)) throw InputError("there is no vertex " + std::to_string(v.value));
-  if (--multiplicity_[v.index()] > 0) return;
-  --count_;
-  free_.push_back(v.value);
-  if (dimension_ < 2) {
-    line_.erase(std::find(line_.begin(), line_.end(), v));
-    dimension_ = line_.empty() ? -1 : std::min(dimension_, line_.size() > 1 ? 1 : 0);
-    return;
+  if (multiplicity_[v.index()] == 1) {
+    make_room(free_);
+    if (dimension_ < 2) {
+      line_.erase(std::find(line_.begin(), line_.end(), v));
+      dimension_ = line_.empty() ? -1 : std::min(dimension_, line_.size() > 1 ? 1 : 0);
+    } else {
+      remove_from_plane(v);
+    }
+    free_.push_back(v.value);
+    --count_;
   }
+  --multiplicity_[v.index()];
+}
+
+void ChangingDelaunay2::remove_from_plane(Vertex2 v) {
   // Edges from v, counterclockwise.
   std::vector<std::uint32_t> ring;
   std::uint32_t code = star_[v.index()];
@@ -144,7 +192,7 @@ void ChangingDelaunay2::remove(Vertex2 v) {
     code = triangles_[code / 4].across[previous_slot(code % 4)];
   } while (code != star_[v.index()]);
   if (falls_without(ring)) {
-    fall_to_line();
+    fall_to_line(v);
   } else {
     fill_star(ring);
   }
@@ -156,20 +204,21 @@ bool ChangingDelaunay2::falls_without(std::span<const std::uint32_t> ring) const
     const std::uint32_t other = triangles_[code / 4].corner[previous_slot(code % 4)];
     if (other != infinite) others.push_back(other);
   }
-  if (others.size() != count_) return false;
+  if (others.size() + 1 != count_) return false;
   for (std::size_t i = 2; i < others.size(); ++i) {
     if (orientation(points_[others[0]], points_[others[1]], points_[others[i]]) != Sign::zero) return false;
   }
   return true;
 }
 
-void ChangingDelaunay2::fall_to_line() {
-  triangles_.clear();
+void ChangingDelaunay2::fall_to_line(Vertex2 gone) {
+  std::vector<Vertex2> line;
   for (std::size_t v = 1; v < points_.size(); ++v) {
-    if (lives(Vertex2(v))) line_.emplace_back(v);
+    if (lives(Vertex2(v)) && v != gone.index()) line.emplace_back(v);
   }
-  std::sort(line_.begin(), line_.end(),
-            [&](Vertex2 a, Vertex2 b) { return lexicographically_less(point(a), point(b)); });
+  std::sort(line.begin(), line.end(), [&](Vertex2 a, Vertex2 b) { return lexicographically_less(point(a), point(b)); });
+  line_ = std::move(line);
+  triangles_.clear();
   dimension_ = line_.size() > 1 ? 1 : 0;
 }
 

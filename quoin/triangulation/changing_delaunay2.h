@@ -16,7 +16,8 @@ namespace quoin {
 ///
 /// Exact; at any time its triangles are those of Delaunay2 of the points that are there, ties included, whatever was
 /// done before. Vertex 0 is the infinite one. Ids of vertices stay while they live, and are used again after. Triangles
-/// are numbered without gaps, anew with each change.
+/// are numbered without gaps, anew with each change. A change that ends with an exception, for want of memory too,
+/// leaves points and triangles as they were.
 class ChangingDelaunay2 {
  public:
   ChangingDelaunay2();
@@ -51,9 +52,12 @@ class ChangingDelaunay2 {
 
  private:
   Vertex2 add_vertex(const Point2& p);
+  void take_back(Vertex2 v);
   Vertex2 insert_on_line(const Point2& p);
+  Vertex2 insert_in_plane(const Point2& p);
   void leave_line(Vertex2 apex);
-  void fall_to_line();
+  void remove_from_plane(Vertex2 v);
+  void fall_to_line(Vertex2 gone);
   bool falls_without(std::span<const std::uint32_t> ring) const;
   void fill_star(std::span<const std::uint32_t> ring);
   void drop_triangle(std::uint32_t t);

@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <limits>
+#include <new>
 #include <set>
 
 #include "quoin/base/error.h"
 #include "quoin/base/test_rounds.h"
+#include "quoin/triangulation/test_memory.h"
 #include "quoin/triangulation/test_points2.h"
 
 namespace quoin {
@@ -120,6 +122,49 @@ TEST(ChangingDelaunay2, HalfOfManyPoints) {
     for (std::size_t i = kept; i < points.size(); ++i) changing.insert(points[i]);
     expect_same(changing, points);
     if (::testing::Test::HasFatalFailure()) return;
+  }
+}
+
+// Makes each allocation of the change fail, one after the other, until it comes to its end.
+template <class Change>
+void change_with_failures(const ChangingDelaunay2& changing, const std::vector<Point2>& before, const Change& change) {
+  for (std::size_t allocation = 0;; ++allocation) {
+    SCOPED_TRACE("allocation " + std::to_string(allocation));
+    try {
+      const testing::FailingAllocation failing(allocation);
+      change();
+      return;
+    } catch (const std::bad_alloc&) {
+    }
+    expect_same(changing, before);
+    if (::testing::Test::HasFatalFailure()) return;
+  }
+}
+
+TEST(ChangingDelaunay2, IsAsItWasWhereMemoryFails) {
+  Random random(3);
+  for (const auto& family : point_sets()) {
+    const std::vector<Point2> pool = family.make(random, 12);
+    std::vector<Point2> points;
+    ChangingDelaunay2 changing;
+    std::vector<Vertex2> vertices;
+    for (int step = 0; step < 24; ++step) {
+      SCOPED_TRACE(std::string(family.name) + ": " + testing::reproduce(points));
+      if (points.empty() || random() % 24 > static_cast<unsigned>(step)) {
+        const Point2 p = pool[random() % pool.size()];
+        Vertex2 v;
+        change_with_failures(changing, points, [&] { v = changing.insert(p); });
+        points.push_back(p);
+        vertices.push_back(v);
+      } else {
+        const std::size_t which = random() % points.size();
+        change_with_failures(changing, points, [&] { changing.remove(vertices[which]); });
+        points.erase(points.begin() + static_cast<std::ptrdiff_t>(which));
+        vertices.erase(vertices.begin() + static_cast<std::ptrdiff_t>(which));
+      }
+      expect_same(changing, points);
+      if (::testing::Test::HasFatalFailure()) return;
+    }
   }
 }
 
