@@ -133,6 +133,25 @@ TEST(Delaunay2, OrdersOfLargerInputsGiveTheSameBytes) {
   }
 }
 
+// Some of the points lie in one cell of the curve, too few to divide it further, and more than that when given twice.
+TEST(Delaunay2, PointsGivenTwiceGiveTheSameBytes) {
+  Random random(6);
+  for (int count = 20; count < 60; count += 10) {
+    for (const PointSetFamily& family : point_sets()) {
+      std::vector<Point2> points = family.make(random, static_cast<std::size_t>(count));
+      for (int i = 0; i < count; ++i)
+        points.push_back({testing::unit(random) * 0x1p-20, testing::unit(random) * 0x1p-20});
+      points.push_back({1, 1});
+      const Delaunay2 once(points);
+      const std::vector<Point2> copy = points;
+      points.insert(points.end(), copy.begin(), copy.end());
+      ASSERT_TRUE(same_bytes(once, Delaunay2(points))) << family.name;
+      points.insert(points.end(), 100, points[0]);
+      ASSERT_TRUE(same_bytes(once, Delaunay2(points))) << family.name;
+    }
+  }
+}
+
 TEST(Delaunay2, EverySubsetOfASmallLattice) {
   const std::vector<Point2> lattice = testing::grid2(2);
   for (unsigned subset = 0; subset < 1U << lattice.size(); ++subset) {

@@ -150,6 +150,29 @@ TEST(Delaunay3, SameBytesInAnyOrder) {
   }
 }
 
+/// Some of the points lie in one cell of the curve, too few to divide it further, and more than that when given twice.
+TEST(Delaunay3, SameBytesForPointsGivenTwice) {
+  Random random(7);
+  for (const std::size_t count : {6U, 10U, 14U, 18U}) {
+    for (const Cloud& cloud : testing::clouds(random, 10)) {
+      SCOPED_TRACE(cloud.name);
+      std::vector<Point3> points = cloud.points;
+      for (Point3 p : testing::random_points(random, count, testing::unit)) {
+        points.push_back({p.x * 0x1p-20, p.y * 0x1p-20, p.z * 0x1p-20});
+      }
+      points.push_back({1, 1, 1});
+      const Delaunay3 once = triangulated(points);
+      const std::vector<Point3> copy = points;
+      points.insert(points.end(), copy.begin(), copy.end());
+      points.insert(points.end(), 100, points[0]);
+      const Delaunay3 twice = triangulated(points);
+      ASSERT_EQ(once.vertex_count(), twice.vertex_count());
+      for (std::uint32_t v = 0; v < once.vertex_count(); ++v) ASSERT_EQ(once.point(v), twice.point(v));
+      EXPECT_TRUE(same_cells(once, twice));
+    }
+  }
+}
+
 TEST(Delaunay3, SameBytesForBothZeros) {
   std::vector<Point3> points = testing::lattice(2, 2, 2);
   const Delaunay3 first = triangulated(points);

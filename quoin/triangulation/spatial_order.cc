@@ -11,6 +11,7 @@
 
 #include "quoin/base/large_vector.h"
 #include "quoin/kernel/hilbert_key.h"
+#include "quoin/triangulation/distinct_points.h"
 
 namespace quoin {
 
@@ -19,7 +20,7 @@ namespace {
 constexpr unsigned bits_per_axis = 11;
 constexpr unsigned digit_bits = 11;
 constexpr unsigned passes = 3 * bits_per_axis / digit_bits;
-constexpr std::size_t few = 16;  // points of one cell that are sorted by their coordinates
+constexpr std::size_t few = 16;  // distinct points of one cell that are sorted by their coordinates
 
 constexpr unsigned point_bits = 31;
 static_assert(3 * bits_per_axis + point_bits == 64);
@@ -76,7 +77,8 @@ class Sorter {
   Sorter(std::span<const Point3> points, const Context& context) : points_(points), context_(context) {}
 
   void sort(std::span<Keyed> list, std::uint64_t parent) {
-    if (list.size() <= few) return sort_by_coordinates(list);
+    const auto point = [&](std::size_t i) -> const Point3& { return points_[list[i].point()]; };
+    if (!detail::has_more_distinct_points<few, Point3>(list.size(), point, context_)) return sort_by_coordinates(list);
     const Cube cube(points_, list);
     for (std::size_t i = 0; i < list.size(); ++i) {
       if (i % 4096 == 0) context_.poll();

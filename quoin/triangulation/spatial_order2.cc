@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "quoin/base/error.h"
+#include "quoin/triangulation/distinct_points.h"
 
 namespace quoin {
 
@@ -165,7 +166,8 @@ class Sorter {
 
   // True if the run is now sorted by keys of its own, which do not all agree.
   bool sort_cell(std::span<Record> run) const {
-    if (run.size() > few) {
+    const auto point_at = [&](std::size_t i) -> const Point2& { return point(run[i]); };
+    if (detail::has_more_distinct_points<few, Point2>(run.size(), point_at, context_)) {
       set_keys(run);
       const std::uint64_t key = run[0] >> 32;
       if (std::any_of(run.begin(), run.end(), [&](Record r) { return r >> 32 != key; })) {
