@@ -21,21 +21,36 @@ Corners corners_of(std::span<const std::uint32_t> face) {
   return corners;
 }
 
-// The same for all places to begin at and both ways around.
-Corners canonical(const Corners& corners) {
+// Where to begin so that the rest is the least of all rotations. Of two candidates, the one that is larger after k
+// equal corners is none, nor are the k next to it: O(n).
+std::size_t start_of_least_rotation(const Corners& corners, const Context& context) {
   const std::size_t n = corners.size();
-  if (n == 0) return {};
-  const std::uint32_t smallest = *std::min_element(corners.begin(), corners.end());
-  Corners least;
-  for (std::size_t start = 0; start < n; ++start) {
-    if (corners[start] != smallest) continue;
-    for (const std::size_t step : {std::size_t{1}, n - 1}) {
-      Corners turned(n);
-      for (std::size_t i = 0; i < n; ++i) turned[i] = corners[(start + i * step) % n];
-      if (least.empty() || turned < least) least = std::move(turned);
+  const auto at = [&](std::size_t i) { return corners[i < n ? i : i - n]; };
+  std::size_t one = 0;
+  std::size_t two = 1;
+  std::size_t equal = 0;
+  for (std::size_t steps = 1; one < n && two < n && equal < n; ++steps) {
+    if (steps % 4096 == 0) context.poll();
+    if (at(one + equal) == at(two + equal)) {
+      ++equal;
+      continue;
     }
+    (at(one + equal) > at(two + equal) ? one : two) += equal + 1;
+    if (one == two) ++two;
+    equal = 0;
   }
-  return least;
+  return std::min(one, two);
+}
+
+// The same for all places to begin at and both ways around.
+Corners canonical(const Corners& corners, const Context& context) {
+  const auto least = [&](Corners turned) {
+    const std::size_t start = start_of_least_rotation(turned, context);
+    std::rotate(turned.begin(), turned.begin() + static_cast<std::ptrdiff_t>(start), turned.end());
+    return turned;
+  };
+  if (corners.empty()) return {};
+  return std::min(least(corners), least({corners.rbegin(), corners.rend()}));
 }
 
 class MeshFaces {
@@ -77,10 +92,12 @@ class MeshFaces {
 };
 
 // Which faces have the corners of an earlier one.
-std::vector<bool> repeated_faces(const std::vector<Corners>& canonical_corners) {
+std::vector<bool> repeated_faces(const std::vector<Corners>& canonical_corners, const Context& context) {
   std::vector<std::uint32_t> order(canonical_corners.size());
   for (std::uint32_t f = 0; f < order.size(); ++f) order[f] = f;
+  std::size_t compared = 0;
   std::sort(order.begin(), order.end(), [&](std::uint32_t f, std::uint32_t g) {
+    if (++compared % 1024 == 0) context.poll();
     return canonical_corners[f] != canonical_corners[g] ? canonical_corners[f] < canonical_corners[g] : f < g;
   });
   std::vector<bool> is_repeated(order.size(), false);
@@ -99,13 +116,13 @@ MeshComplex complex_of_mesh(const Mesh& mesh, const Context& context) {
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
     if (f % 1024 == 0) context.poll();
     faces.push_back(corners_of(mesh.face(f)));
-    keys.push_back(canonical(faces.back()));
+    keys.push_back(canonical(faces.back(), context));
     for (const std::uint32_t v : faces.back()) is_corner[v] = true;
   }
   result.lonely_vertices = static_cast<std::size_t>(std::count(is_corner.begin(), is_corner.end(), false));
   if (mesh.face_count() == 0)
     for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) result.simplices.add(std::array{v});
-  const std::vector<bool> is_repeated = repeated_faces(keys);
+  const std::vector<bool> is_repeated = repeated_faces(keys, context);
   MeshFaces writer(mesh.vertices.size());
   for (std::size_t f = 0; f < faces.size(); ++f) {
     if (f % 1024 == 0) context.poll();

@@ -19,7 +19,7 @@ struct MeshComplex {
 
 /// Faces are disks, joined where they have corners in common; coordinates do not matter. Equal corners that follow one
 /// another are one. A triangle is a simplex; any other face is the cone of a new vertex over its sides, or, if a corner
-/// comes twice, a ring of new vertices and a cone over these. O(corners) @throws Cancelled
+/// comes twice, a ring of new vertices and a cone over these. O(n log n) for n corners. @throws Cancelled
 MeshComplex complex_of_mesh(const Mesh& mesh, const Context& context);
 
 }  // namespace quoin

@@ -3,6 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <random>
+#include <set>
+
+#include "quoin/base/test_rounds.h"
 #include "quoin/topology/homology.h"
 
 namespace quoin {
@@ -43,6 +48,53 @@ TEST(MeshComplex, FacesThatComeTwiceCountOnce) {
   const MeshComplex made = complex_of_mesh(mesh_of(8, doubled), Context());
   EXPECT_EQ(made.repeated_faces, 2U);
   EXPECT_EQ(betti_of(mesh_of(8, doubled)), (Betti{1, 0, 1}));
+}
+
+using Face = std::vector<std::uint32_t>;
+
+// By definition: the least of all rotations both ways around.
+Face least_turn(Face face) {
+  Face least = face;
+  for (int way = 0; way < 2; ++way) {
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      std::rotate(face.begin(), face.begin() + 1, face.end());
+      least = std::min(least, face);
+    }
+    std::reverse(face.begin(), face.end());
+  }
+  return least;
+}
+
+TEST(MeshComplex, FacesOfFewCornersInAnyTurnAreTold) {
+  std::mt19937 random(1);
+  for (int round = 0; round < test_rounds(300); ++round) {
+    std::vector<Face> faces;
+    std::set<Face> distinct;
+    for (int f = 0; f < 60; ++f) {
+      // Neighbours differ, and so do the ends.
+      Face face{0};
+      const std::size_t size = 3 + random() % 6;
+      while (face.size() < size || face.back() == face.front()) {
+        face.push_back((face.back() + 1 + static_cast<std::uint32_t>(random() % 2)) % 3);
+      }
+      std::rotate(face.begin(), face.begin() + static_cast<std::ptrdiff_t>(random() % face.size()), face.end());
+      faces.push_back(face);
+      distinct.insert(least_turn(face));
+    }
+    ASSERT_EQ(complex_of_mesh(mesh_of(3, faces), Context()).repeated_faces, faces.size() - distinct.size());
+  }
+}
+
+// Every second corner is the smallest.
+TEST(MeshComplex, ALongFaceTakesNoLongerThanManyShortOnes) {
+  constexpr std::uint32_t spokes = test_rounds(100000U);
+  Face face;
+  for (std::uint32_t i = 1; i <= spokes; ++i) face.insert(face.end(), {0, i});
+  Face other(face.rbegin(), face.rend());
+  std::rotate(other.begin(), other.begin() + spokes, other.end());
+  const MeshComplex made = complex_of_mesh(mesh_of(spokes + 1, {face, other}), Context());
+  EXPECT_EQ(made.repeated_faces, 1U);
+  EXPECT_EQ(made.simplices.size(), 3 * face.size());
 }
 
 TEST(MeshComplex, ThinFacesAndLonelyVertices) {
