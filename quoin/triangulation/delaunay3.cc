@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <new>
 
 #include "quoin/triangulation/affine_basis.h"
 #include "quoin/triangulation/canonical_cells.h"
@@ -11,7 +12,7 @@
 
 namespace quoin {
 
-Delaunay3::Delaunay3(std::span<const Point3> points, const Context& context, const DelaunayOptions& options)
+Delaunay3::Delaunay3(std::span<const Point3> points, const Context& context, const DelaunayOptions& options) try
     : points_(points, Scaling::allowed, context), vertex_count_(points_.points.size()) {
   const AffineBasis basis = affine_basis(points_.all(), context);
   dimension_ = static_cast<int>(basis.vertices.size()) - 1;
@@ -21,6 +22,8 @@ Delaunay3::Delaunay3(std::span<const Point3> points, const Context& context, con
     triangulate(basis, context);
   }
   if (options.is_canonical) sort_cells(cells_, dimension_);
+} catch (const std::bad_alloc&) {
+  refuse_for_memory(points.size());
 }
 
 void Delaunay3::triangulate(const AffineBasis& basis, const Context& context) {

@@ -12,6 +12,7 @@
 #include "quoin/base/test_rounds.h"
 #include "quoin/kernel/predicates3.h"
 #include "quoin/triangulation/test_clouds.h"
+#include "quoin/triangulation/test_memory.h"
 
 namespace quoin {
 namespace {
@@ -249,6 +250,24 @@ TEST(Delaunay3, RefusesWhatIsNoPoint) {
   EXPECT_NE(message(points).find("point 5 "), std::string::npos);
   points[5].y = -std::numeric_limits<double>::infinity();
   EXPECT_NE(message(points).find("point 5 "), std::string::npos);
+}
+
+TEST(Delaunay3, TooLittleMemoryIsSaid) {
+  const Context context({.threads = 1});
+  for (const std::vector<Point3>& points :
+       {testing::lattice(3, 2, 3), testing::lattice(3, 4, 1), testing::lattice(1, 4, 1), testing::lattice(1, 1, 1)}) {
+    bool has_failed = true;
+    for (std::size_t allocation = 0; has_failed; ++allocation) {
+      const testing::FailingAllocation failing(allocation);
+      try {
+        const Delaunay3 t(points, context, {.is_canonical = true});
+        ASSERT_FALSE(failing.has_failed()) << allocation;
+        has_failed = false;
+      } catch (const InputError& error) {
+        EXPECT_EQ(std::string(error.what()).find("too little memory"), 0U) << error.what();
+      }
+    }
+  }
 }
 
 TEST(Delaunay3, MayBeCancelled) {

@@ -5,22 +5,20 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <new>
 #include <span>
 
 #include "quoin/base/context.h"
 #include "quoin/triangulation/incremental3.h"
 #include "quoin/triangulation/spatial_order.h"
-#include "quoin/triangulation/vertex_points.h"
 
 namespace quoin {
 
 /// Triangulates vertices 0 to count - 1, and those of the simplex, which are four that are not coplanar. Calls
 /// `when_hidden` with vertices that are none of the triangulation, now or any more.
-/// @throws InputError where there is too little memory, or there are more than 2^30 cells; Cancelled
+/// @throws InputError where there are more than 2^30 cells; Cancelled
 template <class Signs, class WhenHidden>
 CellArray insert_in_rounds(const Signs& signs, std::size_t count, const std::array<std::uint32_t, 4>& simplex,
-                           const Context& context, const WhenHidden& when_hidden) try {
+                           const Context& context, const WhenHidden& when_hidden) {
   constexpr std::size_t cells_per_point = 8;  // somewhat more than in a volume; only what is used takes memory
   CellArray cells;
   cells.reserve((count + 1) * cells_per_point + 64);
@@ -38,8 +36,6 @@ CellArray insert_in_rounds(const Signs& signs, std::size_t count, const std::arr
   }
   engine.compact();
   return cells;
-} catch (const std::bad_alloc&) {
-  refuse_for_memory(count);
 }
 
 }  // namespace quoin

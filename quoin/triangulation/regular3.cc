@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <new>
 #include <numeric>
 #include <string>
 
@@ -31,7 +32,7 @@ bool is_above(const Lifted& b, const Lifted& a, const Lifted& c) {
 
 }  // namespace
 
-Regular3::Regular3(std::span<const Point3> points, std::span<const double> weights, const Context& context)
+Regular3::Regular3(std::span<const Point3> points, std::span<const double> weights, const Context& context) try
     : points_(points, Scaling::none, context), vertex_count_(points_.points.size()) {
   if (weights.size() != points.size()) {
     throw InputError(std::to_string(points.size()) + " points with " + std::to_string(weights.size()) + " weights");
@@ -45,6 +46,8 @@ Regular3::Regular3(std::span<const Point3> points, std::span<const double> weigh
   } else {
     triangulate(basis, context);
   }
+} catch (const std::bad_alloc&) {
+  refuse_for_memory(points.size());
 }
 
 void Regular3::take_weights(std::span<const double> weights) {

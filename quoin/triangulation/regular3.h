@@ -24,7 +24,7 @@ struct AffineBasis;
 class Regular3 {
  public:
   /// As many weights as points. @throws InputError without points, with another number of weights, naming a point or
-  /// weight that is not finite; Cancelled
+  /// weight that is not finite, or when there is too little memory; Cancelled
   Regular3(std::span<const Point3> points, std::span<const double> weights, const Context& context);
 
   int dimension() const { return dimension_; }

@@ -13,6 +13,7 @@
 #include "quoin/kernel/test_points.h"
 #include "quoin/triangulation/delaunay3.h"
 #include "quoin/triangulation/test_clouds.h"
+#include "quoin/triangulation/test_memory.h"
 
 namespace quoin {
 namespace {
@@ -145,6 +146,25 @@ TEST(Regular3, SameCellsInAnyOrder) {
   for (int round = 0; round < test_rounds(10); ++round) {
     std::shuffle(points.begin(), points.end(), random);
     ASSERT_EQ(made(), expected);
+  }
+}
+
+TEST(Regular3, TooLittleMemoryIsSaid) {
+  const Context context({.threads = 1});
+  for (const std::vector<Point3>& points :
+       {testing::lattice(3, 2, 3), testing::lattice(3, 4, 1), testing::lattice(1, 4, 1)}) {
+    const std::vector<double> weights(points.size(), 1);
+    bool has_failed = true;
+    for (std::size_t allocation = 0; has_failed; ++allocation) {
+      const testing::FailingAllocation failing(allocation);
+      try {
+        const Regular3 t(points, weights, context);
+        ASSERT_FALSE(failing.has_failed()) << allocation;
+        has_failed = false;
+      } catch (const InputError& error) {
+        EXPECT_EQ(std::string(error.what()).find("too little memory"), 0U) << error.what();
+      }
+    }
   }
 }
 

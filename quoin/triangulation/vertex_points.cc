@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <new>
 #include <string>
 
 #include "quoin/base/error.h"
@@ -52,7 +51,7 @@ Point3 scaled(const Point3& p, double scale) {
 
 }  // namespace
 
-VertexPoints::VertexPoints(std::span<const Point3> list, Scaling scaling, const Context& context) try {
+VertexPoints::VertexPoints(std::span<const Point3> list, Scaling scaling, const Context& context) {
   if (list.empty()) throw InputError("a triangulation of no points");
   if (list.size() > most_points) {
     throw InputError("a triangulation takes at most " + std::to_string(most_points) + " points, not " +
@@ -75,8 +74,6 @@ VertexPoints::VertexPoints(std::span<const Point3> list, Scaling scaling, const 
     points.push_back(p);
   }
   if (!input_begin.empty()) input_begin.push_back(static_cast<std::uint32_t>(inputs.size()));
-} catch (const std::bad_alloc&) {
-  refuse_for_memory(list.size());
 }
 
 void refuse_for_memory(std::size_t points) {
