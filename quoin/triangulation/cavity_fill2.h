@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "quoin/base/context.h"
 #include "quoin/base/large_vector.h"
 #include "quoin/triangulation/triangulation2.h"
 
@@ -17,8 +18,9 @@ namespace quoin::detail {
 template <class Predicates>
 class CavityFill2 {
  public:
-  CavityFill2(const Predicates& predicates, LargeVector<TriangleLinks2>& triangles, std::uint32_t infinite)
-      : predicates_(predicates), triangles_(triangles), infinite_(infinite) {}
+  CavityFill2(const Predicates& predicates, LargeVector<TriangleLinks2>& triangles, std::uint32_t infinite,
+              const Context& context)
+      : predicates_(predicates), context_(context), triangles_(triangles), infinite_(infinite) {}
 
   /// `ids` are places for new triangles, `outer` the edges about the cavity as seen from outside.
   void begin(std::span<const std::uint32_t> ids, std::span<const std::uint32_t> outer) {
@@ -42,6 +44,7 @@ class CavityFill2 {
       bases_.pop_back();
       std::size_t apex = base.begin;
       for (std::size_t i = base.begin + 1; i < base.end; ++i) {
+        if (compared_++ % poll_step == 0) context_.poll();
         if (is_better(base, chain[i], chain[apex], is_star)) apex = i;
       }
       make_triangle({base.from, base.to, chain[apex]});
@@ -64,6 +67,8 @@ class CavityFill2 {
   }
 
  private:
+  static constexpr std::size_t poll_step = 256;
+
   struct Side {
     std::uint64_t ends;
     std::uint32_t code;
@@ -102,8 +107,10 @@ class CavityFill2 {
   }
 
   const Predicates& predicates_;
+  const Context& context_;
   LargeVector<TriangleLinks2>& triangles_;
   std::uint32_t infinite_;
+  std::size_t compared_ = 0;
   std::span<const std::uint32_t> ids_;
   std::vector<std::array<std::uint32_t, 3>> made_;
   std::vector<Side> sides_;

@@ -20,6 +20,7 @@ namespace {
 using Insertion = detail::Insertion2<DelaunayPredicates2>;
 
 constexpr std::size_t infinite = 0;
+constexpr std::size_t poll_step = 256;
 
 const Context& no_context() {
   static const Context context({.threads = 1});
@@ -75,16 +76,20 @@ ChangingDelaunay2::ChangingDelaunay2(std::span<const Point2> points, const Conte
   }
 }
 
-Vertex2 ChangingDelaunay2::insert(const Point2& given) {
+Vertex2 ChangingDelaunay2::insert(const Point2& p) {
+  return insert(p, no_context());
+}
+
+Vertex2 ChangingDelaunay2::insert(const Point2& given, const Context& context) {
   if (!std::isfinite(given.x) || !std::isfinite(given.y)) throw InputError("the point is not finite");
   const Point2 p{given.x + 0.0, given.y + 0.0};
   require_edge_codes(points_.size());
-  return dimension_ < 2 ? insert_on_line(p) : insert_in_plane(p);
+  return dimension_ < 2 ? insert_on_line(p, context) : insert_in_plane(p, context);
 }
 
-Vertex2 ChangingDelaunay2::insert_in_plane(const Point2& p) {
+Vertex2 ChangingDelaunay2::insert_in_plane(const Point2& p, const Context& context) {
   DelaunayPredicates2 predicates(points_, infinite_vertex());
-  Insertion insertion(predicates, infinite, no_context());
+  Insertion insertion(predicates, infinite, context);
   const std::uint32_t at = lend(triangles_, insertion, nearby_triangle(p), [&] { return insertion.find(p); });
   for (const std::uint32_t corner : triangles_[at].corner) {
     if (corner == infinite || points_[corner] != p) continue;
@@ -130,7 +135,7 @@ void ChangingDelaunay2::take_back(Vertex2 v) {
   free_.push_back(v.value);
 }
 
-Vertex2 ChangingDelaunay2::insert_on_line(const Point2& p) {
+Vertex2 ChangingDelaunay2::insert_on_line(const Point2& p, const Context& context) {
   const auto less = [&](Vertex2 v, const Point2& q) { return lexicographically_less(point(v), q); };
   const auto after = std::lower_bound(line_.begin(), line_.end(), p, less);
   if (after != line_.end() && point(*after) == p) {
@@ -141,7 +146,7 @@ Vertex2 ChangingDelaunay2::insert_on_line(const Point2& p) {
   const Vertex2 v = add_vertex(p);
   try {
     if (leaves) {
-      leave_line(v);
+      leave_line(v, context);
       return v;
     }
     line_.insert(after, v);
@@ -154,11 +159,11 @@ Vertex2 ChangingDelaunay2::insert_on_line(const Point2& p) {
 }
 
 // The first two of the line and the new point, then the others.
-void ChangingDelaunay2::leave_line(Vertex2 apex) {
+void ChangingDelaunay2::leave_line(Vertex2 apex, const Context& context) {
   std::array<std::uint32_t, 3> corners{line_[0].value, line_[1].value, apex.value};
   if (orientation(point(line_[0]), point(line_[1]), point(apex)) == Sign::negative) std::swap(corners[0], corners[1]);
   const DelaunayPredicates2 predicates(points_, infinite_vertex());
-  Insertion insertion(predicates, infinite, no_context());
+  Insertion insertion(predicates, infinite, context);
   insertion.start(corners);
   for (std::size_t i = 2; i < line_.size(); ++i) insertion.insert(line_[i].value);
   triangles_ = insertion.release();
@@ -168,6 +173,10 @@ void ChangingDelaunay2::leave_line(Vertex2 apex) {
 }
 
 void ChangingDelaunay2::remove(Vertex2 v) {
+  remove(v, no_context());
+}
+
+void ChangingDelaunay2::remove(Vertex2 v, const Context& context) {
   if (v == infinite_vertex() || !lives(v)) throw InputError("there is no vertex " + std::to_string(v.value));
   if (multiplicity_[v.index()] == 1) {
     make_room(free_);
@@ -175,7 +184,7 @@ void ChangingDelaunay2::remove(Vertex2 v) {
       line_.erase(std::find(line_.begin(), line_.end(), v));
       dimension_ = line_.empty() ? -1 : std::min(dimension_, line_.size() > 1 ? 1 : 0);
     } else {
-      remove_from_plane(v);
+      remove_from_plane(v, context);
     }
     free_.push_back(v.value);
     --count_;
@@ -183,7 +192,7 @@ void ChangingDelaunay2::remove(Vertex2 v) {
   --multiplicity_[v.index()];
 }
 
-void ChangingDelaunay2::remove_from_plane(Vertex2 v) {
+void ChangingDelaunay2::remove_from_plane(Vertex2 v, const Context& context) {
   // Edges from v, counterclockwise.
   std::vector<std::uint32_t> ring;
   std::uint32_t code = star_[v.index()];
@@ -191,14 +200,14 @@ void ChangingDelaunay2::remove_from_plane(Vertex2 v) {
     ring.push_back(code);
     code = triangles_[code / 4].across[previous_slot(code % 4)];
   } while (code != star_[v.index()]);
-  if (falls_without(ring)) {
-    fall_to_line(v);
+  if (falls_without(ring, context)) {
+    fall_to_line(v, context);
   } else {
-    fill_star(ring);
+    fill_star(ring, context);
   }
 }
 
-bool ChangingDelaunay2::falls_without(std::span<const std::uint32_t> ring) const {
+bool ChangingDelaunay2::falls_without(std::span<const std::uint32_t> ring, const Context& context) const {
   std::vector<std::uint32_t> others;
   for (const std::uint32_t code : ring) {
     const std::uint32_t other = triangles_[code / 4].corner[previous_slot(code % 4)];
@@ -206,14 +215,16 @@ bool ChangingDelaunay2::falls_without(std::span<const std::uint32_t> ring) const
   }
   if (others.size() + 1 != count_) return false;
   for (std::size_t i = 2; i < others.size(); ++i) {
+    if (i % poll_step == 0) context.poll();
     if (orientation(points_[others[0]], points_[others[1]], points_[others[i]]) != Sign::zero) return false;
   }
   return true;
 }
 
-void ChangingDelaunay2::fall_to_line(Vertex2 gone) {
+void ChangingDelaunay2::fall_to_line(Vertex2 gone, const Context& context) {
   std::vector<Vertex2> line;
   for (std::size_t v = 1; v < points_.size(); ++v) {
+    if (v % poll_step == 0) context.poll();
     if (lives(Vertex2(v)) && v != gone.index()) line.emplace_back(v);
   }
   std::sort(line.begin(), line.end(), [&](Vertex2 a, Vertex2 b) { return lexicographically_less(point(a), point(b)); });
@@ -222,7 +233,7 @@ void ChangingDelaunay2::fall_to_line(Vertex2 gone) {
   dimension_ = line_.size() > 1 ? 1 : 0;
 }
 
-void ChangingDelaunay2::fill_star(std::span<const std::uint32_t> ring) {
+void ChangingDelaunay2::fill_star(std::span<const std::uint32_t> ring, const Context& context) {
   std::vector<std::uint32_t> ids;
   std::vector<std::uint32_t> outer;
   std::vector<std::uint32_t> corners;
@@ -232,7 +243,7 @@ void ChangingDelaunay2::fill_star(std::span<const std::uint32_t> ring) {
     corners.push_back(triangles_[code / 4].corner[previous_slot(code % 4)]);
   }
   const DelaunayPredicates2 predicates(points_, infinite_vertex());
-  detail::CavityFill2<DelaunayPredicates2> fill(predicates, triangles_, infinite);
+  detail::CavityFill2<DelaunayPredicates2> fill(predicates, triangles_, infinite, context);
   fill.begin(ids, outer);
   // The hole is on the left of the first edge; the other corners go back from its source to its target.
   std::reverse(corners.begin() + 2, corners.end());

@@ -26,13 +26,17 @@ class ChangingDelaunay2 {
 
   /// The vertex of the point: a new one, or the one that is there, once more. O(n^(1/3)) expected for points spread
   /// evenly; O(n) in dimension 1 and where the dimension grows.
-  /// @throws InputError  the point is not finite
+  /// @throws InputError  the point is not finite, or there are more than 2^29 vertices
+  /// @throws Cancelled   through `context`, where one is given
   Vertex2 insert(const Point2& p);
+  Vertex2 insert(const Point2& p, const Context& context);
   /// Takes away one of the points at a vertex; the vertex goes with the last. Its star is filled anew (Devillers and
   /// Teillaud 2011): O(d log d) expected for degree d, O(d^2) at worst; O(n) in dimension 1 and where the dimension
   /// falls.
   /// @throws InputError  there is no such vertex
+  /// @throws Cancelled   through `context`, where one is given
   void remove(Vertex2 v);
+  void remove(Vertex2 v, const Context& context);
 
   int dimension() const { return dimension_; }
   /// Finite vertices that live.
@@ -53,13 +57,13 @@ class ChangingDelaunay2 {
  private:
   Vertex2 add_vertex(const Point2& p);
   void take_back(Vertex2 v);
-  Vertex2 insert_on_line(const Point2& p);
-  Vertex2 insert_in_plane(const Point2& p);
-  void leave_line(Vertex2 apex);
-  void remove_from_plane(Vertex2 v);
-  void fall_to_line(Vertex2 gone);
-  bool falls_without(std::span<const std::uint32_t> ring) const;
-  void fill_star(std::span<const std::uint32_t> ring);
+  Vertex2 insert_on_line(const Point2& p, const Context& context);
+  Vertex2 insert_in_plane(const Point2& p, const Context& context);
+  void leave_line(Vertex2 apex, const Context& context);
+  void remove_from_plane(Vertex2 v, const Context& context);
+  void fall_to_line(Vertex2 gone, const Context& context);
+  bool falls_without(std::span<const std::uint32_t> ring, const Context& context) const;
+  void fill_star(std::span<const std::uint32_t> ring, const Context& context);
   void drop_triangle(std::uint32_t t);
   void update_star(std::uint32_t t);
   std::uint32_t nearby_triangle(const Point2& p) const;

@@ -168,6 +168,36 @@ TEST(ChangingDelaunay2, IsAsItWasWhereMemoryFails) {
   }
 }
 
+TEST(ChangingDelaunay2, LongChangesAreCancelledAndChangeNothing) {
+  Context cancelled({.threads = 1});
+  cancelled.cancel();
+  std::vector<Point2> points;
+  for (int i = 0; i < 600; ++i) points.push_back({static_cast<double>(i), 2.0 * i});
+  ChangingDelaunay2 changing(points);
+  const Point2 apex{300, 0};
+  const Point2 inner{299, 580};
+  EXPECT_THROW(changing.insert(apex, cancelled), Cancelled);
+  expect_same(changing, points);
+  // The line is left, and one more point inserted.
+  const Vertex2 a = changing.insert(apex);
+  points.push_back(apex);
+  EXPECT_THROW(changing.insert(inner, cancelled), Cancelled);
+  expect_same(changing, points);
+  const Vertex2 b = changing.insert(inner);
+  points.push_back(inner);
+  expect_same(changing, points);
+  // A star of many triangles, then one whose removal leaves a line.
+  EXPECT_THROW(changing.remove(b, cancelled), Cancelled);
+  expect_same(changing, points);
+  changing.remove(b);
+  points.pop_back();
+  EXPECT_THROW(changing.remove(a, cancelled), Cancelled);
+  expect_same(changing, points);
+  changing.remove(a);
+  points.pop_back();
+  expect_same(changing, points);
+}
+
 TEST(ChangingDelaunay2, BadInputIsRefused) {
   ChangingDelaunay2 changing;
   EXPECT_THROW(changing.insert({0, std::numeric_limits<double>::infinity()}), InputError);

@@ -54,7 +54,7 @@ ConstrainedDelaunay2::ConstrainedDelaunay2(std::span<const Point2> points, std::
   dimension_ = 2;
   const ConstructedPredicates2 predicates(pieces_.table);
   auto triangles = detail::Insertion2<ConstructedPredicates2>(predicates, count, context).run(*start);
-  detail::SegmentInsertion2<ConstructedPredicates2> insertion(predicates, triangles, count);
+  detail::SegmentInsertion2<ConstructedPredicates2> insertion(predicates, triangles, count, context);
   for (std::size_t i = 0; i < pieces_.pieces.size(); ++i) {
     if (i % 64 == 0) context.poll();
     insertion.insert(pieces_.pieces[i].source.value, pieces_.pieces[i].target.value);
@@ -112,7 +112,7 @@ Sign ConstrainedDelaunay2::circle_side(Vertex2 a, Vertex2 b, Vertex2 c, Vertex2 
   return pieces_.table.in_circle(id(a.index()), id(b.index()), id(c.index()), id(d.index()), axis);
 }
 
-Triangle2 ConstrainedDelaunay2::find_triangle(const Point2& query) const {
+Triangle2 ConstrainedDelaunay2::find_triangle(const Point2& query, const Context& context) const {
   if (!std::isfinite(query.x) || !std::isfinite(query.y)) throw InputError("the query is not finite");
   const RationalPoint2 exact_query{Rational(query.x), Rational(query.y)};
   const auto is_double = [&](Vertex2 v) { return v.index() < pieces_.table.explicit_count(); };
@@ -121,6 +121,7 @@ Triangle2 ConstrainedDelaunay2::find_triangle(const Point2& query) const {
     return turn_of(exact(a), exact(b), exact_query);
   };
   for (std::uint32_t t = 0; t < links_.triangle_count(); ++t) {
+    if (t % 256 == 0) context.poll();
     if (links_.is_infinite(Triangle2(t))) continue;
     const auto v = links_.corners(Triangle2(t));
     if (turn_to_query(v[0], v[1]) != Sign::negative && turn_to_query(v[1], v[2]) != Sign::negative &&

@@ -57,7 +57,9 @@ class ConstrainedDelaunay2 {
   bool is_constrained(Edge2 e) const { return piece_of_[3 * e.triangle().index() + e.slot()] != Vertex2::none_value; }
 
   /// A finite triangle that holds the point, in its closure; none outside of the hull. O(n), exact.
-  Triangle2 find_triangle(const Point2& query) const;
+  /// @throws InputError  the point is not finite
+  /// @throws Cancelled
+  Triangle2 find_triangle(const Point2& query, const Context& context = Context()) const;
 
  private:
   void mark_pieces();

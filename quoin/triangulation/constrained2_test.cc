@@ -279,6 +279,8 @@ TEST(Constrained2, BadInputIsNamed) {
   Context cancelled;
   cancelled.cancel();
   EXPECT_THROW(ConstrainedDelaunay2(testing::grid2(20), std::vector<Segment2>{{0, 9}}, cancelled), Cancelled);
+  const ConstrainedDelaunay2 grid(testing::grid2(3), std::vector<Segment2>{{0, 9}});
+  EXPECT_THROW(grid.find_triangle({0.5, 0.5}, cancelled), Cancelled);
 }
 
 TEST(Constrained2, OfADisc) {

@@ -78,9 +78,10 @@ class Insertion2 {
   }
   LargeVector<TriangleLinks2> release() { return std::move(triangles_); }
   void start(const std::array<std::uint32_t, 3>& corners) { make_first(corners); }
-  /// The triangles about v; only where points do not hide.
+  /// The triangles about v; only where points do not hide. Polls at the first insertion and some of those after it.
   std::span<const std::uint32_t> insert(std::uint32_t v) {
-    insert_and_poll(v);
+    if (inserted_++ % poll_step == 0) context_.poll();
+    insert_vertex(v);
     return removed_;
   }
   /// A triangle that holds the query, or an infinite one beyond whose edge it is.
@@ -108,6 +109,10 @@ class Insertion2 {
         context_.poll();
       }
     }
+    insert_vertex(v);
+  }
+
+  void insert_vertex(std::uint32_t v) {
     const Query p = predicates_.point(v);
     const std::uint32_t first = locate(p);
     if constexpr (Predicates::may_hide) {

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "quoin/base/context.h"
 #include "quoin/base/large_vector.h"
 #include "quoin/triangulation/cavity_fill2.h"
 #include "quoin/triangulation/triangulation2.h"
@@ -21,13 +22,15 @@ namespace quoin::detail {
 template <class Predicates>
 class SegmentInsertion2 {
  public:
-  SegmentInsertion2(const Predicates& predicates, LargeVector<TriangleLinks2>& triangles, std::size_t vertex_count)
+  SegmentInsertion2(const Predicates& predicates, LargeVector<TriangleLinks2>& triangles, std::size_t vertex_count,
+                    const Context& context)
       : predicates_(predicates),
+        context_(context),
         triangles_(triangles),
         infinite_(static_cast<std::uint32_t>(vertex_count)),
         star_(vertex_count + 1),
         is_removed_(triangles.size(), 0),
-        fill_(predicates, triangles, infinite_) {
+        fill_(predicates, triangles, infinite_, context) {
     for (std::uint32_t t = 0; t < triangles_.size(); ++t) update_star(t);
   }
 
@@ -97,6 +100,7 @@ class SegmentInsertion2 {
       const unsigned slot = entry_ % 4;
       const std::uint32_t apex = t.corner[slot];
       removed_.push_back(entry_ / 4);
+      if (removed_.size() % 256 == 0) context_.poll();
       if (apex == to_) break;
       const bool is_left = predicates_.turn(from_, to_, predicates_.point(apex)) == Sign::positive;
       (is_left ? left_ : right_).push_back(apex);
@@ -115,6 +119,7 @@ class SegmentInsertion2 {
   }
 
   const Predicates& predicates_;
+  const Context& context_;
   LargeVector<TriangleLinks2>& triangles_;
   std::uint32_t infinite_;
   std::vector<std::uint32_t> star_;
