@@ -72,7 +72,7 @@ Json torsion_of(const IntegerHomology& homology) {
 }
 
 // Over the rationals, 2, the primes asked for and those of torsion. Each by itself, and as the integers have it.
-Json betti_of(const SimplicialComplex& complex, const IntegerHomology& homology, std::vector<std::uint32_t> primes,
+Json betti_of(const OrderedBoundaries& boundaries, const IntegerHomology& homology, std::vector<std::uint32_t> primes,
               const Context& context) {
   Json betti{{"Q", homology.betti}};
   primes.push_back(2);
@@ -80,7 +80,7 @@ Json betti_of(const SimplicialComplex& complex, const IntegerHomology& homology,
   std::sort(primes.begin(), primes.end());
   primes.erase(std::unique(primes.begin(), primes.end()), primes.end());
   for (const std::uint32_t p : primes) {
-    const std::vector<std::size_t> numbers = betti_numbers(complex, p, context);
+    const std::vector<std::size_t> numbers = betti_numbers(boundaries, p, context);
     if (numbers != betti_numbers(homology, p))
       throw InternalError("Betti numbers over " + std::to_string(p) + " elements contradict integer homology");
     betti["Z" + std::to_string(p)] = numbers;
@@ -103,7 +103,7 @@ void add_manifold(Json& report, const SimplicialComplex& complex, const Context&
   for (const std::uint32_t simplex : orientation.reversing_loop)
     report["reversing_loop"].push_back(complex.labels({complex.dimension(), simplex}));
   if (complex.dimension() != 2 || !manifold.is_manifold()) return;
-  for (const SurfaceClass& part : classify_surface(complex, context)) {
+  for (const SurfaceClass& part : classify_surface(complex, manifold, context)) {
     report["surfaces"].push_back({{"orientable", part.is_orientable},
                                   {"genus", part.genus},
                                   {"boundary_loops", part.boundary_loops},
@@ -126,8 +126,9 @@ int run_homology(const Options& options, const Context& context) {
               {"simplices", std::move(counts)},
               {"euler_characteristic", complex.euler_characteristic()},
               {"components", connected_components(complex).count}};
-  const IntegerHomology homology = integer_homology(complex, context);
-  report["betti"] = betti_of(complex, homology, primes, context);
+  const OrderedBoundaries boundaries = collapsed(complex, context);
+  const IntegerHomology homology = integer_homology(boundaries, context);
+  report["betti"] = betti_of(boundaries, homology, primes, context);
   report["torsion"] = torsion_of(homology);
   if (complex.dimension() <= 3 || complex.size() <= most_with_links) {
     add_manifold(report, complex, context);

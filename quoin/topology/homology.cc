@@ -7,7 +7,6 @@
 #include "quoin/base/error.h"
 #include "quoin/topology/collapse.h"
 #include "quoin/topology/column_reduction.h"
-#include "quoin/topology/ordered_boundaries.h"
 #include "quoin/topology/smith_form.h"
 
 namespace quoin {
@@ -74,29 +73,40 @@ std::vector<BoundaryRank> boundary_ranks(const Ring& ring, const OrderedBoundari
   return result;
 }
 
-std::size_t betti_number(const SimplicialComplex& complex, const std::vector<BoundaryRank>& ranks, int k) {
-  return complex.count(k) - ranks[k].rank - ranks[k + 1].rank;
+std::size_t betti_number(const OrderedBoundaries& boundaries, const std::vector<BoundaryRank>& ranks, int k) {
+  return boundaries.count(k) - ranks[k].rank - ranks[k + 1].rank;
 }
+
+void require_prime(std::uint32_t p) {
+  if (p >= std::uint32_t{1} << 31 || !is_prime(p))
+    throw InputError(std::to_string(p) + " is not a prime number below 2^31");
+}
+
+}  // namespace
 
 OrderedBoundaries collapsed(const SimplicialComplex& complex, const Context& context) {
   return {complex, collapse_order(complex, context).simplices};
 }
 
-}  // namespace
-
 std::vector<std::size_t> betti_numbers(const SimplicialComplex& complex, std::uint32_t p, const Context& context) {
-  if (p >= std::uint32_t{1} << 31 || !is_prime(p))
-    throw InputError(std::to_string(p) + " is not a prime number below 2^31");
-  const OrderedBoundaries boundaries = collapsed(complex, context);
+  require_prime(p);
+  return betti_numbers(collapsed(complex, context), p, context);
+}
+
+std::vector<std::size_t> betti_numbers(const OrderedBoundaries& boundaries, std::uint32_t p, const Context& context) {
+  require_prime(p);
   const std::vector<BoundaryRank> ranks = p == 2 ? boundary_ranks(coefficients::Two(), boundaries, context)
                                                  : boundary_ranks(coefficients::Prime(p), boundaries, context);
   std::vector<std::size_t> betti;
-  for (int k = 0; k <= complex.dimension(); ++k) betti.push_back(betti_number(complex, ranks, k));
+  for (int k = 0; k <= boundaries.dimension(); ++k) betti.push_back(betti_number(boundaries, ranks, k));
   return betti;
 }
 
 IntegerHomology integer_homology(const SimplicialComplex& complex, const Context& context) {
-  const OrderedBoundaries boundaries = collapsed(complex, context);
+  return integer_homology(collapsed(complex, context), context);
+}
+
+IntegerHomology integer_homology(const OrderedBoundaries& boundaries, const Context& context) {
   std::vector<BoundaryRank> ranks;
   try {
     ranks = boundary_ranks(coefficients::Narrow(), boundaries, context);
@@ -104,8 +114,8 @@ IntegerHomology integer_homology(const SimplicialComplex& complex, const Context
     ranks = boundary_ranks(coefficients::Wide(), boundaries, context);
   }
   IntegerHomology result;
-  for (int k = 0; k <= complex.dimension(); ++k) {
-    result.betti.push_back(betti_number(complex, ranks, k));
+  for (int k = 0; k <= boundaries.dimension(); ++k) {
+    result.betti.push_back(betti_number(boundaries, ranks, k));
     result.torsion.push_back(std::move(ranks[k + 1].divisors));
   }
   return result;

@@ -7,6 +7,7 @@
 
 #include "quoin/base/context.h"
 #include "quoin/number/integer.h"
+#include "quoin/topology/ordered_boundaries.h"
 #include "quoin/topology/simplicial_complex.h"
 
 namespace quoin {
@@ -31,6 +32,13 @@ struct IntegerHomology {
 ///
 /// As above with pivots 1 and -1; what is left of the matrices goes to `elementary_divisors`.
 IntegerHomology integer_homology(const SimplicialComplex& complex, const Context& context);
+
+/// Both of boundaries in any order, so that a complex is collapsed once for several rings: that of `collapsed` is the
+/// one in which few columns are changed.
+std::vector<std::size_t> betti_numbers(const OrderedBoundaries& boundaries, std::uint32_t p, const Context& context);
+IntegerHomology integer_homology(const OrderedBoundaries& boundaries, const Context& context);
+/// The boundaries of a complex in the order that its collapses give. O(size) @throws Cancelled
+OrderedBoundaries collapsed(const SimplicialComplex& complex, const Context& context);
 
 /// Betti numbers over the field of p elements that integer homology has by the universal coefficient theorem: besides
 /// those over the rationals, one in dimensions k and k + 1 for each order of torsion in dimension k that p divides.

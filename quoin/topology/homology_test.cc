@@ -51,8 +51,11 @@ void check_all(const SimplicialComplex& complex) {
   if (complex.dimension() >= 0) {
     ASSERT_EQ(homology.betti[0], connected_components(complex).count);
   }
+  const OrderedBoundaries boundaries = collapsed(complex, Context());
+  ASSERT_EQ(integer_homology(boundaries, Context()).torsion, homology.torsion);
   for (const std::uint32_t p : {2U, 3U, 5U, 7U}) {
     const Betti betti = over(complex, p);
+    ASSERT_EQ(betti, betti_numbers(boundaries, p, Context())) << p;
     ASSERT_EQ(betti, betti_by_ranks(complex, [&](const Dense& d) { return rank_modulo(d, p); })) << p;
     ASSERT_EQ(betti, betti_numbers(homology, p)) << p;
   }

@@ -58,5 +58,8 @@ struct SurfaceClass {
 /// The class of each component, in the order of connected_components. O(size)
 /// @throws InputError  the complex is not a surface: not a manifold of dimension 2, perhaps with boundary
 std::vector<SurfaceClass> classify_surface(const SimplicialComplex& complex, const Context& context);
+/// The same where it is known what `check_manifold` says of the complex.
+std::vector<SurfaceClass> classify_surface(const SimplicialComplex& complex, const ManifoldReport& report,
+                                           const Context& context);
 
 }  // namespace quoin

@@ -160,7 +160,12 @@ TEST(Orientation, OfSurfacesAndSpheres) {
 }
 
 TEST(Surface, Classes) {
-  const auto classes = [](const SimplexList& list) { return classify_surface(closure(list), Context()); };
+  const auto classes = [](const SimplexList& list) {
+    const SimplicialComplex complex = closure(list);
+    const std::vector<SurfaceClass> found = classify_surface(complex, Context());
+    EXPECT_EQ(classify_surface(complex, check_manifold(complex, Context()), Context()), found);
+    return found;
+  };
   EXPECT_EQ(classes(seven_vertex_torus()), (std::vector<SurfaceClass>{{true, 0, 0, 1}}));
   EXPECT_EQ(classes(sphere(2)), (std::vector<SurfaceClass>{{true, 2, 0, 0}}));
   EXPECT_EQ(classes(six_vertex_projective_plane()), (std::vector<SurfaceClass>{{false, 1, 0, 1}}));

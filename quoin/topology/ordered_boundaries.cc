@@ -29,10 +29,7 @@ CoboundaryColumns::CoboundaryColumns(const OrderedBoundaries& boundaries, int k)
   const LargeVector<std::uint32_t>& facets = boundaries.facets(k + 1);
   const auto width = static_cast<std::uint32_t>(k + 2);
   for (const std::uint32_t facet : facets) ++begin_[facet + 1];
-  for (std::size_t i = 1; i < begin_.size(); ++i) {
-    widest_ = std::max(widest_, begin_[i]);
-    begin_[i] += begin_[i - 1];
-  }
+  for (std::size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
   cofacets_.resize(facets.size());
   LargeVector<std::size_t> next(begin_.begin(), begin_.end() - 1);
   std::size_t i = 0;

@@ -66,8 +66,6 @@ class CoboundaryColumns {
   /// Of the simplex of this rank among those of dimension k, and the other way about.
   std::uint32_t column_of(std::uint32_t rank) const { return static_cast<std::uint32_t>(columns() - 1 - rank); }
   std::uint32_t row_of(std::uint32_t rank) const { return static_cast<std::uint32_t>(rows_ - 1 - rank); }
-  /// No simplex has more cofacets than this.
-  std::size_t widest() const { return widest_; }
 
   template <class Call>
   void for_each(std::uint32_t column, const Call& call) const {
@@ -78,7 +76,6 @@ class CoboundaryColumns {
 
  private:
   std::size_t rows_;
-  std::size_t widest_ = 0;
   LargeVector<std::size_t> begin_;
   LargeVector<std::uint32_t> cofacets_;  // twice the rank, and 1 if the sign is negative
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "quoin/topology/persistence.h"
 
+#include <cstdint>
 #include <string>
 
 #include "quoin/base/error.h"
@@ -51,11 +52,21 @@ class Pairing {
   bool pair_highest(PersistenceMethod method) {
     if (method != PersistenceMethod::automatic) return false;
     const int d = boundaries_.dimension();
-    const CoboundaryColumns coboundaries(boundaries_, d - 1);
-    if (coboundaries.widest() > 2) return false;
-    pair_dual_components(boundaries_, coboundaries, prime_ == 2, context_,
+    if (has_branching_wall()) return false;
+    pair_dual_components(boundaries_, CoboundaryColumns(boundaries_, d - 1), prime_ == 2, context_,
                          [&](std::uint32_t birth, std::uint32_t death) { note(d - 1, birth, death); });
     return true;
+  }
+
+  // Of three simplices of the highest dimension, or more.
+  bool has_branching_wall() const {
+    const LargeVector<std::uint32_t>& walls = boundaries_.facets(boundaries_.dimension());
+    std::vector<std::uint8_t> cells(boundaries_.count(boundaries_.dimension() - 1), 0);
+    for (std::size_t i = 0; i < walls.size(); ++i) {
+      if (i % 16384 == 0) context_.poll();
+      if (++cells[walls[i]] > 2) return true;
+    }
+    return false;
   }
 
   template <class Matrix, class Call>

@@ -122,8 +122,12 @@ OrientationReport orient(const SimplicialComplex& complex, const Context& contex
 }
 
 std::vector<SurfaceClass> classify_surface(const SimplicialComplex& complex, const Context& context) {
-  if (complex.dimension() != 2 || !check_manifold(complex, context).is_manifold())
-    throw InputError("the complex is not a surface");
+  return classify_surface(complex, check_manifold(complex, context), context);
+}
+
+std::vector<SurfaceClass> classify_surface(const SimplicialComplex& complex, const ManifoldReport& report,
+                                           const Context& context) {
+  if (complex.dimension() != 2 || !report.is_manifold()) throw InputError("the complex is not a surface");
   const ComplexComponents components = connected_components(complex);
   std::vector<std::vector<std::uint32_t>> triangles(components.count);
   for (std::uint32_t t = 0; t < complex.count(2); ++t)
