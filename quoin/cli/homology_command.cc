@@ -29,7 +29,7 @@ void warn_of(const MeshComplex& made, bool has_faces, const std::string& name, s
   };
   if (has_faces) warn(made.lonely_vertices, " vertices are corners of no face: left out");
   warn(made.repeated_faces, " faces have the corners of others: each counts once");
-  warn(made.thin_faces, " faces have fewer than three distinct corners: edges or points");
+  warn(made.thin_faces, " faces have fewer than three corners, where equal neighbours are one: edges or points");
 }
 
 SimplexList simplices_of(const Input& input, const std::string& name, std::vector<std::string>& warnings,

@@ -14,7 +14,7 @@ struct MeshComplex {
   SimplexList simplices;            ///< corners have the numbers of vertices of the mesh, others are new
   std::size_t lonely_vertices = 0;  ///< corners of no face: left out, unless there are no faces: then points
   std::size_t repeated_faces = 0;   ///< with the corners of an earlier one, in either order around: left out
-  std::size_t thin_faces = 0;       ///< with fewer than three distinct corners: an edge, or a vertex
+  std::size_t thin_faces = 0;  ///< with fewer than three corners once equal neighbours are one: an edge, or a vertex
 };
 
 /// Faces are disks, joined where they have corners in common; coordinates do not matter. Equal corners that follow one

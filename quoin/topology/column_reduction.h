@@ -85,9 +85,6 @@ class ColumnReduction {
     return result;
   }
 
-  /// Multiples of columns that were added to others.
-  std::size_t additions() const { return additions_; }
-
  private:
   static constexpr bool is_two = std::is_same_v<Ring, coefficients::Two>;
 

@@ -24,7 +24,8 @@ struct Filtration {
 };
 
 /// The filtration of listed simplices with a grade each, and of their faces.
-/// @throws InputError  as SimplicialComplex; a simplex is listed twice, or enters before one of its faces; names both
+/// @throws InputError  as SimplicialComplex; a simplex is listed twice, and named, or enters before one of its faces,
+///                     and both are named
 Filtration filtration_of(const SimplexList& simplices, std::span<const std::uint32_t> grades, const Context& context);
 
 /// Each simplex enters with the last of its vertices.

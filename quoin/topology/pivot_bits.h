@@ -24,8 +24,6 @@ class PivotBits {
     } while (bound > 1);
   }
 
-  bool contains(std::uint32_t i) const { return ((levels_[0][i / 64] >> (i % 64)) & 1) != 0; }
-
   /// Inserts what is not there and removes what is.
   void toggle(std::uint32_t i) {
     for (std::vector<std::uint64_t>& level : levels_) {

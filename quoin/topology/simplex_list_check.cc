@@ -2,6 +2,7 @@
 #include "quoin/topology/simplex_list_check.h"
 
 #include <algorithm>
+#include <span>
 
 #include "quoin/topology/complex_builder.h"
 #include "quoin/topology/simplicial_complex.h"
@@ -17,6 +18,14 @@ bool is_valid(std::span<const std::uint32_t> simplex) {
   std::vector<std::uint32_t> sorted(simplex.begin(), simplex.end());
   std::sort(sorted.begin(), sorted.end());
   return std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
+}
+
+// Whether it takes an odd number of exchanges to bring distinct numbers into ascending order. O(k^2)
+bool is_odd_order(std::span<const std::uint32_t> vertices) {
+  bool is_odd = false;
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    for (std::size_t j = i + 1; j < vertices.size(); ++j) is_odd ^= vertices[i] > vertices[j];
+  return is_odd;
 }
 
 // The listed simplices of the highest dimension that share a facet with no third: whether each reverses it.
@@ -40,13 +49,6 @@ void find_incoherent(const SimplicialComplex& complex, const SimplexList& list,
 }
 
 }  // namespace
-
-bool is_odd_order(std::span<const std::uint32_t> vertices) {
-  bool is_odd = false;
-  for (std::size_t i = 0; i < vertices.size(); ++i)
-    for (std::size_t j = i + 1; j < vertices.size(); ++j) is_odd ^= vertices[i] > vertices[j];
-  return is_odd;
-}
 
 SimplexListFindings check_simplices(const SimplexList& simplices, const Context& context) {
   SimplexListFindings findings;

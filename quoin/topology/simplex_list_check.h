@@ -24,7 +24,4 @@ struct SimplexListFindings {
 /// Examines a list as it is given. O(m log m) for m faces of all simplices. @throws Cancelled
 SimplexListFindings check_simplices(const SimplexList& simplices, const Context& context);
 
-/// Whether it takes an odd number of exchanges to bring distinct numbers into ascending order. O(k^2)
-bool is_odd_order(std::span<const std::uint32_t> vertices);
-
 }  // namespace quoin

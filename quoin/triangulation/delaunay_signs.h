@@ -57,8 +57,6 @@ class DelaunaySigns {
   /// Sign of the sphere test without perturbation; positive inside.
   int in_sphere(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d, std::uint32_t q) const;
 
-  const void* address_of(std::uint32_t vertex) const { return &points_[vertex]; }
-
  private:
   int close_orientation(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d, double value) const;
   bool close_conflict(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d, std::uint32_t q,

@@ -81,14 +81,12 @@ DeloneLabels delone_labels(const Delaunay3& triangulation, const Context& contex
     return triangulation.in_sphere(signs, c, cells[mate >> 2].vertices[mate & 3]) == 0;
   });
   const auto finite_label = [&](std::uint32_t ghost) { return labels.cell_of[cells[ghost].neighbours[d] >> 2]; };
-  const std::uint32_t end =
-      label_parts(cells, d, labels.cell_count, labels.cell_of, context, is_ghost, [&](std::uint32_t c, unsigned slot) {
-        const std::uint32_t mate = cells[c].neighbours[slot];
-        if (d < 3 || slot == d || finite_label(c) != finite_label(mate >> 2)) return false;
-        const auto& v = cells[c].vertices;
-        return signs.orientation(v[0], v[1], v[2], cells[mate >> 2].vertices[mate & 3]) == 0;
-      });
-  labels.hull_facet_count = end - labels.cell_count;
+  label_parts(cells, d, labels.cell_count, labels.cell_of, context, is_ghost, [&](std::uint32_t c, unsigned slot) {
+    const std::uint32_t mate = cells[c].neighbours[slot];
+    if (d < 3 || slot == d || finite_label(c) != finite_label(mate >> 2)) return false;
+    const auto& v = cells[c].vertices;
+    return signs.orientation(v[0], v[1], v[2], cells[mate >> 2].vertices[mate & 3]) == 0;
+  });
   return labels;
 }
 

@@ -13,11 +13,10 @@
 namespace quoin {
 
 /// For each simplex of the triangulation the number of its Delone cell: neighbours of one sphere are of one cell.
-/// Ghosts have numbers above: those of one hull facet of one Delone cell share a number.
+/// Ghosts have numbers from `cell_count` on: those of one hull facet of one Delone cell share a number.
 struct DeloneLabels {
   std::vector<std::uint32_t> cell_of;  ///< by simplex
   std::uint32_t cell_count = 0;
-  std::uint32_t hull_facet_count = 0;  ///< numbers cell_count and above
 };
 
 /// O(n) sphere tests. @throws Cancelled
