@@ -31,8 +31,10 @@ void run(const std::string& kind, std::size_t count, int rounds, bool canonical)
     vertices = delaunay.vertex_count();
     triangles = delaunay.links().finite_triangle_count();
   }
-  std::printf("{\"seconds\": %.9f, \"vertices\": %zu, \"triangles\": %zu, \"peak_kb\": %ld, \"input_kb\": %ld}\n", best,
-              vertices, triangles, peak_kb(), before_kb);
+  std::printf(
+      "{\"seconds\": %.9f, \"points\": %zu, \"vertices\": %zu, \"triangles\": %zu, \"peak_kb\": %ld, \"input_kb\": "
+      "%ld}\n",
+      best, points.size(), vertices, triangles, peak_kb(), before_kb);
 }
 
 }  // namespace

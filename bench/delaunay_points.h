@@ -10,14 +10,14 @@
 
 #include "hull_points.h"
 
-/// Points that delaunay_bench and its peer triangulate, the same on every platform: those of hull_points; `scan`, rows
-/// of a wavy surface with gaps and noise; any of them `-grid`, rounded to integers within 1000; `jittered`, a lattice
-/// moved by a thousandth.
+/// Points that delaunay_bench and its peer triangulate, the same on every platform: those of hull_points; `scan`, a
+/// torus with noise, unevenly dense; any of them `-grid`, rounded to integers within 1000; `jittered`, a lattice moved
+/// by a thousandth.
 namespace delaunay_points {
 
 using Point = std::array<double, 3>;
 
-/// A torus without functions that round differently elsewhere: rational circles, rows of unequal density.
+/// A torus without functions that round differently elsewhere: by rational circles, on which density is uneven.
 inline std::vector<Point> scan(std::size_t count) {
   Random random(11);
   std::vector<Point> points;

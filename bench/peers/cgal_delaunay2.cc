@@ -44,7 +44,9 @@ int main(int argc, char** argv) {
     vertices = delaunay.number_of_vertices();
     triangles = delaunay.number_of_faces();
   }
-  std::printf("{\"seconds\": %.9f, \"vertices\": %zu, \"triangles\": %zu, \"peak_kb\": %ld, \"input_kb\": %ld}\n", best,
-              vertices, triangles, peak_kb(), before_kb);
+  std::printf(
+      "{\"seconds\": %.9f, \"points\": %zu, \"vertices\": %zu, \"triangles\": %zu, \"peak_kb\": %ld, \"input_kb\": "
+      "%ld}\n",
+      best, points.size(), vertices, triangles, peak_kb(), before_kb);
   return 0;
 }
