@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 #include "quoin/kernel/exact_arithmetic.h"
@@ -27,6 +28,13 @@ inline Parts parts_of(double x) {
   const std::uint64_t fraction = bits & ((std::uint64_t{1} << fraction_bits) - 1);
   const auto mantissa = static_cast<std::int64_t>(fraction | hidden);
   return {(bits >> 63) != 0 ? -mantissa : mantissa, std::max(field - 1, 0) - 1074};
+}
+
+/// The exponent of the lowest bit that is set: x is an odd multiple of that power of two. Of zero the largest integer.
+inline int lowest_bit(double x) {
+  if (x == 0) return std::numeric_limits<int>::max();
+  const Parts parts = parts_of(x);
+  return parts.exponent + std::countr_zero(static_cast<std::uint64_t>(parts.mantissa));
 }
 
 /// The coarsest power of two, 2^lo, of which all values are multiples; all are of magnitude below 2^(lo + bits).

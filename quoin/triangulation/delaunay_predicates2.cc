@@ -2,30 +2,18 @@
 #include "quoin/triangulation/delaunay_predicates2.h"
 
 #include <algorithm>
-#include <bit>
 #include <limits>
 
 #include "quoin/kernel/call_grid.h"
 
 namespace quoin {
 
-namespace {
-
-// The exponent of the lowest set bit.
-int lowest_bit(double x) {
-  if (x == 0) return std::numeric_limits<int>::max();
-  const detail::Parts parts = detail::parts_of(x);
-  return parts.exponent + std::countr_zero(static_cast<std::uint64_t>(parts.mantissa));
-}
-
-}  // namespace
-
 std::optional<int> grid_unit(std::span<const Point2> points) {
   constexpr int useful_bits = 40;
   int unit = std::numeric_limits<int>::max();
   double largest = 0;
   for (const Point2& p : points) {
-    unit = std::min({unit, lowest_bit(p.x), lowest_bit(p.y)});
+    unit = std::min({unit, detail::lowest_bit(p.x), detail::lowest_bit(p.y)});
     largest = std::max({largest, std::fabs(p.x), std::fabs(p.y)});
     if (largest > 0 && std::ilogb(largest) - unit > useful_bits) return std::nullopt;
   }

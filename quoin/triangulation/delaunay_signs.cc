@@ -2,7 +2,6 @@
 #include "quoin/triangulation/delaunay_signs.h"
 
 #include <algorithm>
-#include <bit>
 #include <limits>
 
 #include "quoin/kernel/call_grid.h"
@@ -12,12 +11,6 @@
 namespace quoin {
 
 namespace {
-
-/// Exponent of the lowest bit that is set; x is not zero.
-int lowest_bit(double x) {
-  const detail::Parts parts = detail::parts_of(x);
-  return parts.exponent + std::countr_zero(static_cast<std::uint64_t>(parts.mantissa));
-}
 
 // Bounds of the filters of the whole: those of predicate_filters.h with the extents for the maxima, and a part in 2^40
 // more, because extents are rounded. The slacks are those derived there for M <= 2^140.
@@ -40,7 +33,7 @@ PointExtent::PointExtent(std::span<const Point3> points) {
       const double v = p[axis];
       low[axis] = std::min(low[axis], v);
       high[axis] = std::max(high[axis], v);
-      if (v != 0) lowest = std::min(lowest, lowest_bit(v));
+      lowest = std::min(lowest, detail::lowest_bit(v));
     }
   }
   x = high[0] - low[0];

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 
 #include "quoin/kernel/call_grid.h"
@@ -89,16 +88,9 @@ int RegularSigns::exact_power_sign(const std::array<std::uint32_t, 5>& v) const 
   // Weights are multiples of 2^(2 lo).
   int lo = 1100;
   for (const std::uint32_t i : v) {
-    for (const double x : {points_[i].x, points_[i].y, points_[i].z}) {
-      if (x == 0) continue;
-      const detail::Parts parts = detail::parts_of(x);
-      lo = std::min(lo, parts.exponent + std::countr_zero(static_cast<std::uint64_t>(parts.mantissa)));
-    }
-    if (weights_[i] != 0) {
-      const detail::Parts parts = detail::parts_of(weights_[i]);
-      const int lowest = parts.exponent + std::countr_zero(static_cast<std::uint64_t>(parts.mantissa));
-      lo = std::min(lo, (lowest - (lowest & 1)) / 2);  // rounded down
-    }
+    for (const double x : {points_[i].x, points_[i].y, points_[i].z}) lo = std::min(lo, detail::lowest_bit(x));
+    const int lowest = detail::lowest_bit(weights_[i]);
+    lo = std::min(lo, (lowest - (lowest & 1)) / 2);  // rounded down
   }
   std::array<IntegerRow, 5> rows;
   for (std::size_t i = 0; i < 5; ++i) {
