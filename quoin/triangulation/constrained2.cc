@@ -24,16 +24,6 @@ PointId id(std::size_t v) {
   return PointId(v);
 }
 
-std::optional<std::array<std::uint32_t, 3>> first_triangle(const Constructions& table, const Context& context) {
-  for (std::uint32_t i = 2; i < table.point_count(); ++i) {
-    if (i % 4096 == 0) context.poll();
-    const Sign turn = table.turn_any(id(0), id(1), id(i), axis);
-    if (turn == Sign::positive) return std::array<std::uint32_t, 3>{0, 1, i};
-    if (turn == Sign::negative) return std::array<std::uint32_t, 3>{1, 0, i};
-  }
-  return std::nullopt;
-}
-
 Sign turn_of(const RationalPoint2& a, const RationalPoint2& b, const RationalPoint2& c) {
   return ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)).sign();
 }
@@ -44,7 +34,8 @@ ConstrainedDelaunay2::ConstrainedDelaunay2(std::span<const Point2> points, std::
                                            const Context& context)
     : pieces_(cut_segments(points, segments, context)) {
   const std::size_t count = vertex_count();
-  const auto start = first_triangle(pieces_.table, context);
+  const auto turn_to = [&](std::uint32_t i) { return pieces_.table.turn_any(id(0), id(1), id(i), axis); };
+  const auto start = detail::first_triangle(count, turn_to, context);
   if (!start) {
     dimension_ = count == 0 ? -1 : count == 1 ? 0 : 1;
     links_ = Triangulation2({}, count);

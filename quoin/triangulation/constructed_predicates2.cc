@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "quoin/triangulation/constructed_predicates2.h"
 
+#include "quoin/triangulation/tie_rule2.h"
+
 namespace quoin {
 
 bool ConstructedPredicates2::in_conflict(const TriangleLinks2& t, PointId d) const {
@@ -20,23 +22,10 @@ bool ConstructedPredicates2::in_conflict(const TriangleLinks2& t, PointId d) con
   return side == Sign::zero ? is_in_circle_by_tie(a, b, c, d) : side == Sign::positive;
 }
 
-// As for points given as doubles: see delaunay_predicates2.h.
 bool ConstructedPredicates2::is_in_circle_by_tie(PointId a, PointId b, PointId c, PointId d) const {
-  PointId largest = a;
-  PointId from = b;
-  PointId to = c;
-  if (is_less(largest, b)) {
-    largest = b;
-    from = c;
-    to = a;
-  }
-  if (is_less(largest, c)) {
-    largest = c;
-    from = a;
-    to = b;
-  }
-  if (is_less(largest, d)) return false;
-  return table_.turn_any(from, to, d, axis) == Sign::positive;
+  return detail::is_in_circle_when_lifted<PointId>(
+      {a, b, c}, d, [this](PointId p, PointId q) { return is_less(p, q); },
+      [this](PointId p, PointId q, PointId r) { return table_.turn_any(p, q, r, axis); });
 }
 
 }  // namespace quoin

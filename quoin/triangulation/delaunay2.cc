@@ -2,9 +2,7 @@
 #include "quoin/triangulation/delaunay2.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
-#include <optional>
 #include <utility>
 
 #include "quoin/kernel/predicates2.h"
@@ -14,19 +12,6 @@
 namespace quoin {
 
 namespace {
-
-constexpr std::size_t poll_step = 1 << 14;
-
-// The first point off the line of the first two.
-std::optional<std::array<std::uint32_t, 3>> first_triangle(std::span<const Point2> points, const Context& context) {
-  for (std::uint32_t i = 2; i < points.size(); ++i) {
-    if (i % poll_step == 0) context.poll();
-    const Sign turn = orientation(points[0], points[1], points[i]);
-    if (turn == Sign::positive) return std::array<std::uint32_t, 3>{0, 1, i};
-    if (turn == Sign::negative) return std::array<std::uint32_t, 3>{1, 0, i};
-  }
-  return std::nullopt;
-}
 
 std::vector<Vertex2> lexicographic_order(std::span<const Point2> points) {
   std::vector<Vertex2> order;
@@ -42,7 +27,8 @@ Delaunay2::Delaunay2(std::span<const Point2> points, const Delaunay2Options& opt
   require_edge_codes(points.size());
   order_ = spatial_order(points, context);
   const std::size_t count = order_.points.size();
-  const std::optional<std::array<std::uint32_t, 3>> start = first_triangle(order_.points, context);
+  const auto turn = [&](std::uint32_t i) { return orientation(order_.points[0], order_.points[1], order_.points[i]); };
+  const auto start = detail::first_triangle(count, turn, context);
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   order_.points.push_back({nan, nan});
   if (!start) {

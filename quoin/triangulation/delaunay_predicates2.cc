@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "quoin/kernel/call_grid.h"
+#include "quoin/triangulation/tie_rule2.h"
 
 namespace quoin {
 
@@ -30,21 +31,10 @@ DelaunayPredicates2::DelaunayPredicates2(std::span<const Point2> points)
 }
 
 bool is_in_circle_by_tie(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
-  const Point2* largest = &a;
-  const Point2* from = &b;
-  const Point2* to = &c;
-  if (lexicographically_less(*largest, b)) {
-    largest = &b;
-    from = &c;
-    to = &a;
-  }
-  if (lexicographically_less(*largest, c)) {
-    largest = &c;
-    from = &a;
-    to = &b;
-  }
-  if (lexicographically_less(*largest, d)) return false;
-  return orientation(*from, *to, d) == Sign::positive;
+  using Corner = const Point2*;
+  return detail::is_in_circle_when_lifted<Corner>(
+      {&a, &b, &c}, &d, [](Corner p, Corner q) { return lexicographically_less(*p, *q); },
+      [](Corner p, Corner q, Corner r) { return orientation(*p, *q, *r); });
 }
 
 Sign DelaunayPredicates2::circle_side(const std::array<Vertex2, 3>& t, Vertex2 d) const {

@@ -14,9 +14,9 @@
 
 namespace quoin {
 
-/// The rule for cocircular points: d, in the circle of a, b, c if the lexicographically largest of the four is lifted a
-/// little. Not if d is the largest; if a is, exactly when d is on a's side of the line through b and c.
-/// Source: Devillers and Teillaud 2011, and predicates of perturbed heights in general.
+/// The rule for cocircular points (tie_rule2.h): d, in the circle of a, b, c if the lexicographically largest of the
+/// four is lifted a little. Not if d is the largest; if a is, exactly when d is on a's side of the line through b and
+/// c.
 bool is_in_circle_by_tie(const Point2& a, const Point2& b, const Point2& c, const Point2& d);
 
 /// The largest unit 2^k of which all coordinates are multiples, if it is of use to predicates: at most 2^40 times are

@@ -2,16 +2,19 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "quoin/base/context.h"
 #include "quoin/base/large_vector.h"
+#include "quoin/base/sign.h"
 #include "quoin/triangulation/triangulation2.h"
 
 namespace quoin::detail {
@@ -23,6 +26,20 @@ inline unsigned insertion_round2(std::uint32_t rank) {
   z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9U;
   z ^= z >> 29;
   return static_cast<unsigned>(std::countr_zero(z | (std::uint64_t{1} << 60))) / 3;
+}
+
+/// The first of `count` vertices off the line of the first two, with these, counterclockwise: what an insertion starts
+/// from. `turn(i)` is that of vertices 0, 1 and i.
+template <class Turn>
+std::optional<std::array<std::uint32_t, 3>> first_triangle(std::size_t count, const Turn& turn,
+                                                           const Context& context) {
+  for (std::uint32_t i = 2; i < count; ++i) {
+    if (i % 4096 == 0) context.poll();
+    const Sign side = turn(i);
+    if (side == Sign::positive) return std::array<std::uint32_t, 3>{0, 1, i};
+    if (side == Sign::negative) return std::array<std::uint32_t, 3>{1, 0, i};
+  }
+  return std::nullopt;
 }
 
 /// Inserts vertices one by one: walk to a triangle whose circle holds the point, remove all such triangles, and join

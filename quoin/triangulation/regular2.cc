@@ -2,11 +2,9 @@
 #include "quoin/triangulation/regular2.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <optional>
 #include <string>
 #include <utility>
 
@@ -32,17 +30,6 @@ std::vector<Point2> places(std::span<const WeightedPoint2> points) {
     result.push_back(points[i].point);
   }
   return result;
-}
-
-std::optional<std::array<std::uint32_t, 3>> first_triangle(std::span<const WeightedPoint2> points,
-                                                           const Context& context) {
-  for (std::uint32_t i = 2; i < points.size(); ++i) {
-    if (i % 4096 == 0) context.poll();
-    const Sign turn = orientation(points[0].point, points[1].point, points[i].point);
-    if (turn == Sign::positive) return std::array<std::uint32_t, 3>{0, 1, i};
-    if (turn == Sign::negative) return std::array<std::uint32_t, 3>{1, 0, i};
-  }
-  return std::nullopt;
 }
 
 // The lower hull of lifted points of a line, in order (Andrew 1979).
@@ -73,7 +60,8 @@ Regular2::Regular2(std::span<const WeightedPoint2> points, const Context& contex
     for (const std::uint32_t input : order.inputs_of(i)) weight = std::max(weight, points[input].weight);
     all.push_back({order.points[i], weight + 0.0});
   }
-  const auto start = first_triangle(all, context);
+  const auto turn = [&](std::uint32_t i) { return orientation(all[0].point, all[1].point, all[i].point); };
+  const auto start = detail::first_triangle(count, turn, context);
   std::vector<std::uint32_t> on_line;
   LargeVector<TriangleLinks2> triangles;
   std::vector<std::uint32_t> vertex(count + 1, none);

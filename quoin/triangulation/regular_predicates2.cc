@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "quoin/triangulation/regular_predicates2.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "quoin/number/rational.h"
+#include "quoin/triangulation/tie_rule2.h"
 
 namespace quoin {
 
@@ -50,16 +50,11 @@ bool is_in_segment_by_tie(const WeightedPoint2& a, const WeightedPoint2& b, cons
   return order_on_line(other, largest) == order_on_line(other, d);
 }
 
-// The lift with the largest nonzero effect decides; that of a corner is the turn of d with the other two.
 bool is_in_circle_by_tie(const std::array<const WeightedPoint2*, 3>& t, const WeightedPoint2& d) {
-  std::array<unsigned, 3> order{0, 1, 2};
-  std::sort(order.begin(), order.end(), [&](unsigned i, unsigned j) { return is_less(*t[j], *t[i]); });
-  for (const unsigned i : order) {
-    if (is_less(*t[i], d)) return false;
-    const Sign effect = orientation(t[next_slot(i)]->point, t[previous_slot(i)]->point, d.point);
-    if (effect != Sign::zero) return effect == Sign::positive;
-  }
-  return false;
+  using Corner = const WeightedPoint2*;
+  return detail::is_in_circle_when_lifted<Corner>(
+      t, &d, [](Corner p, Corner q) { return is_less(*p, *q); },
+      [](Corner p, Corner q, Corner r) { return orientation(p->point, q->point, r->point); });
 }
 
 }  // namespace
