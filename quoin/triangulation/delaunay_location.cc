@@ -2,13 +2,14 @@
 #include "quoin/triangulation/delaunay_location.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <unordered_set>
 
 #include "quoin/base/error.h"
+#include "quoin/kernel/call_grid.h"
 #include "quoin/kernel/predicates3.h"
-#include "quoin/number/rational.h"
 
 namespace quoin {
 
@@ -20,19 +21,11 @@ void require_finite(const Point3& p) {
   }
 }
 
-Rational square_distance(const Point3& p, const Point3& q) {
-  Rational sum;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const Rational difference = Rational(p[axis]) - Rational(q[axis]);
-    sum += difference * difference;
-  }
-  return sum;
-}
-
 /// Sign of |p - a|^2 - |p - b|^2.
 ///
 /// Computed squares err by at most 3 u each, their sums by 2 u more: 5 u (1 + 8 u) of either, less than 6e-16, and the
-/// difference by u; 2^-1000 is for underflow. Where anything overflows nothing is decided.
+/// difference by u; 2^-1000 is for underflow. Where anything overflows nothing is decided. Exact squares of differences
+/// below 2^(B + 1), of integers of B bits, sum up to less than 2^(2B + 4), as Quadratic holds.
 int compare_distances(const Point3& p, const Point3& a, const Point3& b) {
   const auto square = [&p](const Point3& q) {
     const double x = p.x - q.x;
@@ -44,7 +37,18 @@ int compare_distances(const Point3& p, const Point3& a, const Point3& b) {
   const double to_b = square(b);
   if (std::fabs(to_a - to_b) > 8e-16 * (to_a + to_b) + 0x1p-1000 && to_a + to_b <= 0x1p1000)
     return to_a > to_b ? 1 : -1;
-  return to_int((square_distance(p, a) - square_distance(p, b)).sign());
+  Tier ignored;
+  const std::array<double, 9> values{p.x, p.y, p.z, a.x, a.y, a.z, b.x, b.y, b.z};
+  return to_int(detail::decide_on_grid(values, ignored, [&]<class N>(const detail::CallReader<N>& difference) {
+    using Quadratic = typename N::Quadratic;
+    const auto square_distance = [&](const Point3& q) {
+      const auto x = difference(p.x, q.x);
+      const auto y = difference(p.y, q.y);
+      const auto z = difference(p.z, q.z);
+      return detail::product<Quadratic>(x, x) + detail::product<Quadratic>(y, y) + detail::product<Quadratic>(z, z);
+    };
+    return (square_distance(a) - square_distance(b)).sign();
+  }));
 }
 
 }  // namespace
