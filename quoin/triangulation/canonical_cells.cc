@@ -13,14 +13,6 @@ namespace {
 
 using Slots = std::array<std::uint8_t, 4>;
 
-bool is_even(const Slots& s, unsigned size) {
-  unsigned inversions = 0;
-  for (unsigned i = 0; i < size; ++i) {
-    for (unsigned j = 0; j < i; ++j) inversions += s[j] > s[i] ? 1 : 0;
-  }
-  return inversions % 2 == 0;
-}
-
 /// Slots of a cell in their new order. Infinity is larger than all vertices, so it is last where the orientation
 /// allows.
 Slots order_of(const TriangulationCell& cell, unsigned dimension) {
@@ -29,7 +21,7 @@ Slots order_of(const TriangulationCell& cell, unsigned dimension) {
   for (unsigned i = 1; i <= dimension; ++i) {
     for (unsigned j = i; j > 0 && v[slots[j]] < v[slots[j - 1]]; --j) std::swap(slots[j], slots[j - 1]);
   }
-  if (dimension < 2 || is_even(slots, dimension + 1)) return slots;
+  if (dimension < 2 || is_even_order(slots, dimension + 1)) return slots;
   const bool is_ghost = v[slots[dimension]] == vertex_at_infinity;
   // Two slots are exchanged: the last ones, but for infinity.
   if (is_ghost) {

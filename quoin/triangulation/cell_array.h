@@ -30,4 +30,15 @@ inline constexpr std::uint32_t no_vertex = 0xFFFFFFFF;
 /// the last slot stays last.
 inline constexpr std::array<std::array<unsigned, 3>, 4> facet_slots{{{2, 1, 3}, {0, 2, 3}, {1, 0, 3}, {0, 1, 2}}};
 
+/// Whether the first `size` slots come from ascending ones by an even number of exchanges: a simplex with its vertices
+/// in this order is oriented as before.
+template <class Slot>
+constexpr bool is_even_order(const std::array<Slot, 4>& slots, unsigned size = 4) {
+  unsigned inversions = 0;
+  for (unsigned i = 0; i < size; ++i) {
+    for (unsigned j = 0; j < i; ++j) inversions += slots[j] > slots[i] ? 1 : 0;
+  }
+  return inversions % 2 == 0;
+}
+
 }  // namespace quoin

@@ -29,12 +29,7 @@ void for_each_around_edge(std::span<const TriangulationCell> cells, std::uint32_
   unsigned behind = 0;
   while (behind == from || behind == to) ++behind;
   unsigned ahead = 6 - from - to - behind;
-  unsigned inversions = 0;
-  const std::array<unsigned, 4> order{from, to, behind, ahead};
-  for (unsigned i = 0; i < 4; ++i) {
-    for (unsigned j = 0; j < i; ++j) inversions += order[j] > order[i] ? 1 : 0;
-  }
-  if (inversions % 2 == 1) std::swap(behind, ahead);
+  if (!is_even_order<unsigned>({from, to, behind, ahead})) std::swap(behind, ahead);
   std::uint32_t at = cell;
   do {
     visit(at);

@@ -22,11 +22,7 @@ CellArray without_apex(const CellArray& cells, std::uint32_t apex) {
     for (unsigned i = 0; i < 4; ++i) {
       if (i != third && i != at) from[from[0] == 4 ? 0 : 1] = i;
     }
-    unsigned inversions = 0;
-    for (unsigned i = 0; i < 4; ++i) {
-      for (unsigned j = 0; j < i; ++j) inversions += from[j] > from[i] ? 1 : 0;
-    }
-    if (inversions % 2 == 1) std::swap(from[0], from[1]);
+    if (!is_even_order(from)) std::swap(from[0], from[1]);
     number[c] = static_cast<std::uint32_t>(flat.size());
     TriangulationCell cell{};
     for (unsigned i = 0; i < 4; ++i) {
