@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -15,18 +14,10 @@
 #include "quoin/base/context.h"
 #include "quoin/base/large_vector.h"
 #include "quoin/base/sign.h"
+#include "quoin/triangulation/insertion_round.h"
 #include "quoin/triangulation/triangulation2.h"
 
 namespace quoin::detail {
-
-/// The round in which the vertex of some rank is inserted, the largest first: each round has eight times as many as the
-/// one before, scattered by a hash of the rank.
-inline unsigned insertion_round2(std::uint32_t rank) {
-  std::uint64_t z = (rank + 1) * 0x9E3779B97F4A7C15U;
-  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9U;
-  z ^= z >> 29;
-  return static_cast<unsigned>(std::countr_zero(z | (std::uint64_t{1} << 60))) / 3;
-}
 
 /// The first of `count` vertices off the line of the first two, with these, counterclockwise: what an insertion starts
 /// from. `turn(i)` is that of vertices 0, 1 and i.
@@ -70,7 +61,7 @@ class Insertion2 {
     make_first(start);
     std::vector<std::vector<std::uint32_t>> sparse;
     for (std::uint32_t v = 0; v < infinite_; ++v) {
-      const unsigned round = insertion_round2(v);
+      const unsigned round = insertion_round(v);
       if (round == 0) continue;
       if (sparse.size() < round) sparse.resize(round);
       sparse[round - 1].push_back(v);
@@ -82,7 +73,7 @@ class Insertion2 {
       }
     }
     for (std::uint32_t v = 0; v < infinite_; ++v) {
-      if (insertion_round2(v) == 0 && !is_start(v)) insert_and_poll(v);
+      if (insertion_round(v) == 0 && !is_start(v)) insert_and_poll(v);
     }
     close_holes();
     return std::move(triangles_);

@@ -9,7 +9,7 @@
 
 #include "quoin/base/context.h"
 #include "quoin/triangulation/incremental3.h"
-#include "quoin/triangulation/spatial_order.h"
+#include "quoin/triangulation/insertion_round.h"
 
 namespace quoin {
 

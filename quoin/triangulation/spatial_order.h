@@ -18,16 +18,4 @@ namespace quoin {
 /// span.
 std::vector<std::uint32_t> hilbert_order(std::span<const Point3> points, const Context& context);
 
-/// The round in which the point of this rank is inserted: 0 is the last one, with seven of eight ranks; each other one
-/// has an eighth of the ranks of the next. Source: Amenta, Choi and Rote 2003.
-inline unsigned insertion_round(std::uint64_t rank) {
-  std::uint64_t hash = (rank + 1) * 0x9E3779B97F4A7C15U;
-  hash = (hash ^ (hash >> 32)) * 0xBF58476D1CE4E5B9U;
-  hash ^= hash >> 29;
-  unsigned round = 0;
-  for (; (hash & 7) == 0 && round < 9; hash >>= 3) ++round;
-  return round;
-}
-inline constexpr unsigned insertion_rounds = 10;
-
 }  // namespace quoin
