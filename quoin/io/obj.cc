@@ -8,10 +8,7 @@
 
 namespace quoin::io {
 
-namespace {
-
-// What the format knows beside v, f, fo and free-form geometry, with the statements of its older versions.
-bool is_known_statement(std::string_view keyword) {
+bool is_obj_statement(std::string_view keyword) {
   static constexpr std::string_view known[] = {
       "bevel", "bsp",      "bzp",       "c_interp", "call",   "cdc",    "cdp",  "con",        "csh",
       "ctech", "d_interp", "deg",       "end",      "g",      "hole",   "l",    "lod",        "maplib",
@@ -20,6 +17,8 @@ bool is_known_statement(std::string_view keyword) {
   static_assert(std::is_sorted(std::begin(known), std::end(known)));
   return std::binary_search(std::begin(known), std::end(known), keyword);
 }
+
+namespace {
 
 class ObjReader {
  public:
@@ -56,7 +55,7 @@ class ObjReader {
     for (const std::string_view free_form : {"curv", "curv2", "surf", "cstype", "parm", "bmat"}) {
       if (keyword == free_form) lines_.fail("free-form curves and surfaces are not read");
     }
-    if (!is_known_statement(keyword)) lines_.fail(quoted(keyword) + " is no statement of an OBJ file");
+    if (!is_obj_statement(keyword)) lines_.fail(quoted(keyword) + " is no statement of an OBJ file");
     ++skipped_[std::string(keyword)];
   }
 

@@ -25,4 +25,7 @@ bool fits_stl_binary(std::string_view bytes);
 /// (whose header may begin with "solid" too, and other data may follow the triangles).
 bool is_stl_text(std::string_view bytes);
 
+/// Whether OBJ has such a statement beside v, f, fo and those of free-form geometry; older versions count.
+bool is_obj_statement(std::string_view keyword);
+
 }  // namespace quoin::io

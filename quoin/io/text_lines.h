@@ -19,8 +19,9 @@ class LineError : public InputError {
 /// Lines of a text, ended by \n, \r\n or \r, split into words; comments start with a given character.
 class TextLines {
  public:
-  TextLines(std::string_view text, std::string name, char comment)
-      : text_(text), name_(std::move(name)), comment_(comment) {
+  /// Where the text does not begin its file, `lines_before` it are counted.
+  TextLines(std::string_view text, std::string name, char comment, std::size_t lines_before = 0)
+      : text_(text), name_(std::move(name)), comment_(comment), line_(lines_before) {
     if (text_.starts_with("\xEF\xBB\xBF")) text_.remove_prefix(3);
   }
 
