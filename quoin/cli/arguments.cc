@@ -160,6 +160,43 @@ void add_topology(CLI::App& app, Options& options) {
   persistence->add_flag("--barcode", options.barcode, "draw bars instead of points");
 }
 
+CLI::App* add_points_command(CLI::App& app, Options& options, const char* name, const char* text,
+                             const char* what_meshes_hold) {
+  CLI::App* command = add_command(app, options, name, text);
+  command
+      ->add_option("file", options.inputs,
+                   "points of the plane or of space: xyz txt pts csv ply obj off pcd; '-' for standard input")
+      ->required()
+      ->expected(1);
+  add_repeatable(*command, "-o,--output", options.outputs,
+                 std::string("file to write, format by its ending: vtk (all cells), ply obj off (") + what_meshes_hold +
+                     "); '-' for standard output; may be repeated");
+  command->add_option("--format", options.format,
+                      "format of standard output: an ending without its dot (default: vtk)");
+  command
+      ->add_option("--input-format", options.input_format,
+                   "xyz, pts, csv, ply, obj, off or pcd (default: told by content and ending)")
+      ->check(CLI::IsMember({"xyz", "pts", "csv", "ply", "obj", "off", "pcd"}, CLI::ignore_case));
+  command->add_flag("--plane", options.onto_plane, "x and y count, whatever the third coordinate is");
+  command
+      ->add_option("--memory", options.memory,
+                   "refuse what needs more than this many megabytes (default: what is free)")
+      ->check(finite_number(false));
+  return command;
+}
+
+void add_triangulations(CLI::App& app, Options& options) {
+  CLI::App* delaunay = add_points_command(app, options, "delaunay", "the Delaunay triangulation of points, exactly",
+                                          "the hull, or all triangles of the plane");
+  delaunay->add_flag("--weighted", options.weighted, "the last column is a weight: the regular triangulation");
+  delaunay->add_flag("--check", options.check,
+                     "prove that every sphere is empty, by other means than those that made it");
+  CLI::App* voronoi = add_points_command(app, options, "voronoi", "what is nearest to each of many points, exactly",
+                                         "bounded facets, or cells of the plane");
+  voronoi->add_flag("--cells", options.cells, "each cell: its volume or area, and its neighbours");
+  voronoi->add_flag("--exact", options.exact, "of --cells: exact volumes at any length, not only short ones");
+}
+
 void add_pictures(CLI::App& command, Options& options, const std::string& formats) {
   add_repeatable(
       command, "-o,--output", options.outputs,
@@ -283,6 +320,7 @@ void add_commands(CLI::App& app, Options& options) {
                             "of a convex solid: least distance of parallel planes about it, diameter, smallest ball"),
                options);
   add_topology(app, options);
+  add_triangulations(app, options);
   add_queries(app, options);
   add_assembly(app, options);
   add_planar(app, options);

@@ -56,7 +56,9 @@ int run(const Options& options) {
                                                {"gaussian-map", run_gaussian_map},
                                                {"assembly", run_assembly},
                                                {"homology", run_homology},
-                                               {"persistence", run_persistence}};
+                                               {"persistence", run_persistence},
+                                               {"delaunay", run_delaunay},
+                                               {"voronoi", run_voronoi}};
   return runs.at(options.command)(options, context);
 }
 

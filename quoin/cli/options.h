@@ -51,6 +51,13 @@ struct Options {
   bool infinitesimal = false;           ///< of `assembly`: only what can begin to move
   bool prune = false;                   ///< of `assembly`: first leave out where nothing moves
   bool one_part = false;                ///< of `assembly`: one part at a time
+  std::string input_format;             ///< of `delaunay` and `voronoi`: a name of PointFormat; empty: told by content
+  bool onto_plane = false;              ///< of the same: x and y count
+  bool weighted = false;                ///< of `delaunay`: the last column is a weight
+  bool check = false;                   ///< of `delaunay`: prove the result
+  bool cells = false;                   ///< of `voronoi`: each cell in the report
+  bool exact = false;                   ///< of `voronoi`: exact volumes at any length
+  std::optional<double> memory;         ///< of `delaunay` and `voronoi`: megabytes
   bool json = false;
   bool quiet = false;
   bool verbose = false;

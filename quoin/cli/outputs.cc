@@ -96,6 +96,7 @@ class OutputWriter {
       case Target::Kind::picture:
       case Target::Kind::planar_page:
       case Target::Kind::report:
+      case Target::Kind::grid:
         break;
     }
     throw InternalError(target.name + ": solids are not written as drawings");

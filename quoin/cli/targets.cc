@@ -67,6 +67,16 @@ Target planar_target(const std::string& name, const std::string& ending, const O
   return target;
 }
 
+Target cells_target(const std::string& name, const std::string& ending) {
+  if (ending == ".vtk") return {name, Target::Kind::grid};
+  const auto format = format_from_path("x" + ending);
+  if (!format || is_triangles_only(*format)) {
+    throw UsageError((name == standard_stream ? "--format '" + ending.substr(1) + "'" : name + ": the ending") +
+                     " tells no format that is written (vtk, ply, obj, off)");
+  }
+  return {name, Target::Kind::mesh, *format};
+}
+
 Target plan_target(const std::string& name, const std::string& ending) {
   if (ending == ".json") return {name, Target::Kind::report};
   if (ending == ".html" || ending == ".htm") return {name, Target::Kind::page};
@@ -84,6 +94,10 @@ Target target_of(const std::string& name, const Options& options) {
   if (options.command == "assembly") {
     if (name != standard_stream) return plan_target(name, ending_of(name));
     return plan_target(name, in_small_letters("." + (options.format.empty() ? "json" : options.format)));
+  }
+  if (options.command == "delaunay" || options.command == "voronoi") {
+    if (name != standard_stream) return cells_target(name, ending_of(name));
+    return cells_target(name, in_small_letters("." + (options.format.empty() ? "vtk" : options.format)));
   }
   if (options.command == "section") return drawing_target(name);
   if (options.command == "distance") return trail_target(name);

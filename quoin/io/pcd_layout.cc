@@ -137,7 +137,7 @@ class LayoutReader {
     for (const PcdField& f : layout_.fields) {
       if (f.type == 'F' && f.size < 4) fail("a floating number has 4 or 8 bytes");
     }
-    if (width_ && *width_ != 0 && height_ && *height_ > bytes_.size() / *width_)
+    if (width_ && *width_ != 0 && height_ && *height_ > (std::uint64_t{1} << 62) / *width_)
       fail("WIDTH times HEIGHT does not fit the file's size");
     if (width_ && height_ && points_ && *width_ * *height_ != *points_) fail("POINTS is not WIDTH times HEIGHT");
     if (!points_ && !width_) fail("the header names no number of POINTS");

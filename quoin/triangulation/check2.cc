@@ -64,12 +64,14 @@ bool is_locally_delaunay(const Delaunay2& delaunay, Edge2 e) {
 
 }  // namespace
 
-std::string defect(const Delaunay2& delaunay, std::span<const Point2> inputs) {
+std::string defect(const Delaunay2& delaunay, std::span<const Point2> inputs, const Context& context) {
+  context.poll();
   if (std::string found = defect_of_inputs(delaunay, inputs); !found.empty()) return found;
   if (delaunay.dimension() < 2) return defect_of_line(delaunay);
   const Triangulation2& links = delaunay.links();
   if (const char* found = links.defect()) return found;
   for (std::uint32_t t = 0; t < links.triangle_count(); ++t) {
+    if (t % 1024 == 0) context.poll();
     if (!is_convex_at(delaunay, Triangle2(t))) return "triangle " + std::to_string(t) + " turns the wrong way";
     for (unsigned slot = 0; slot < 3; ++slot) {
       if (!is_locally_delaunay(delaunay, Edge2(Triangle2(t), slot))) {

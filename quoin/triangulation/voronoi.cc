@@ -24,7 +24,17 @@ Voronoi3::Voronoi3(const Delaunay3& triangulation) : triangulation_(triangulatio
   if (triangulation.dimension() < 3) throw InputError("a Voronoi diagram of space of points that lie in a plane");
 }
 
+void Voronoi3::keep_corners(const Context& context) {
+  std::vector<RationalPoint3> corners(triangulation_.cells().size());
+  for (std::size_t c = 0; c < corners.size(); ++c) {
+    if (c % 64 == 0) context.poll();
+    if (!triangulation_.is_ghost(c)) corners[c] = corner(c);
+  }
+  corners_ = std::move(corners);
+}
+
 RationalPoint3 Voronoi3::corner(std::size_t cell) const {
+  if (!corners_.empty()) return corners_[cell];
   const auto& v = triangulation_.cells()[cell].vertices;
   const Delaunay3& t = triangulation_;
   return circumcentre(t.point(v[0]), t.point(v[1]), t.point(v[2]), t.point(v[3]));
@@ -47,10 +57,13 @@ VoronoiFacet Voronoi3::facet(std::uint32_t vertex, std::uint32_t neighbour, std:
   for (const std::uint32_t c : ring) {
     if (triangulation_.is_ghost(c)) continue;
     RationalPoint3 next = corner(c);
-    if (facet.corners.empty() || !(facet.corners.back() == next)) facet.corners.push_back(std::move(next));
+    if (!facet.corners.empty() && facet.corners.back() == next) continue;
+    facet.corners.push_back(std::move(next));
+    facet.cells.push_back(c);
   }
   if (facet.is_bounded && facet.corners.size() > 1 && facet.corners.front() == facet.corners.back()) {
     facet.corners.pop_back();
+    facet.cells.pop_back();
   }
   return facet;
 }
@@ -88,16 +101,31 @@ std::vector<VoronoiFacet> Voronoi3::facets(std::uint32_t vertex) const {
 }
 
 std::optional<Rational> Voronoi3::volume(std::uint32_t vertex) const {
-  if (stars_.is_on_hull(vertex)) return std::nullopt;
+  if (is_unbounded(vertex)) return std::nullopt;
+  return volume(vertex, facets(vertex));
+}
+
+Rational Voronoi3::volume(std::uint32_t vertex, std::span<const VoronoiFacet> facets) const {
   const RationalPoint3 apex = exact_point(triangulation_.point(vertex));
-  Rational sum;  // six times
-  for (const VoronoiFacet& facet : facets(vertex)) {
-    const RationalPoint3 first = facet.corners[0] - apex;
-    for (std::size_t i = 1; i + 1 < facet.corners.size(); ++i) {
-      sum += dot(first, cross(facet.corners[i] - apex, facet.corners[i + 1] - apex));
+  Rational sum;  // twelve times
+  for (const VoronoiFacet& facet : facets) {
+    // The facet is in the plane halfway to the neighbour, at right angles to the way there: the cone's volume is a
+    // sixth of the square of this way times the facet's area over its length. Area over length is the same for the
+    // projections of both on an axis.
+    const RationalPoint3 way = exact_point(triangulation_.point(facet.neighbour)) - apex;
+    unsigned axis = 0;
+    while (way[axis].sign() == Sign::zero) ++axis;
+    const unsigned u = (axis + 1) % 3;
+    const unsigned v = (axis + 2) % 3;
+    Rational twice_area;
+    for (std::size_t i = 0; i < facet.corners.size(); ++i) {
+      const RationalPoint3& from = facet.corners[i];
+      const RationalPoint3& to = facet.corners[(i + 1) % facet.corners.size()];
+      twice_area += from[u] * to[v] - from[v] * to[u];
     }
+    sum += twice_area * (dot(way, way) / way[axis]);
   }
-  return sum / Rational(6);
+  return sum / Rational(12);
 }
 
 }  // namespace quoin

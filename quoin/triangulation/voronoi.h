@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "quoin/base/context.h"
@@ -22,6 +23,7 @@ struct VoronoiFacet {
   /// Corners in order around the edge, counterclockwise seen from the neighbour; consecutive ones differ, and so do
   /// the ends. Of an unbounded facet those between its two rays, in the same order.
   std::vector<RationalPoint3> corners;
+  std::vector<std::uint32_t> cells{};  ///< for each corner a cell of the triangulation with this circumcentre
 };
 
 /// Voronoi diagrams as views of a triangulation of dimension 3, exact, without copies: a corner is the circumcentre of
@@ -31,6 +33,10 @@ class Voronoi3 {
   /// @throws InputError of a lower dimension
   explicit Voronoi3(const Delaunay3& triangulation);
 
+  /// Computes all corners at once and keeps them, about 4 kB per point: for those who ask for most facets, which share
+  /// their corners. @throws Cancelled
+  void keep_corners(const Context& context);
+
   /// Circumcentre of a finite cell of the triangulation.
   RationalPoint3 corner(std::size_t cell) const;
 
@@ -39,8 +45,12 @@ class Voronoi3 {
   std::vector<VoronoiFacet> facets(std::uint32_t vertex) const;
 
   /// Of the points nearest to the vertex; nothing where that is infinite, for vertices of the hull. Sum of the cones
-  /// from the vertex over its facets.
+  /// from the vertex over its facets, whose areas are those of projections along an axis.
   std::optional<Rational> volume(std::uint32_t vertex) const;
+  /// The same from the facets of a vertex, all bounded.
+  Rational volume(std::uint32_t vertex, std::span<const VoronoiFacet> facets) const;
+  /// Whether the cell is infinite: that of a vertex of the hull.
+  bool is_unbounded(std::uint32_t vertex) const { return stars_.is_on_hull(vertex); }
 
  private:
   VoronoiFacet facet(std::uint32_t vertex, std::uint32_t neighbour, std::uint32_t cell) const;
@@ -48,6 +58,7 @@ class Voronoi3 {
 
   const Delaunay3& triangulation_;
   VertexStars stars_;
+  std::vector<RationalPoint3> corners_;  ///< by cell, if they are kept
 };
 
 }  // namespace quoin

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <string>
+#include <vector>
+
+#include "quoin/base/error.h"
+#include "quoin/cli/cell_outputs.h"
+#include "quoin/cli/commands.h"
+#include "quoin/cli/failure.h"
+#include "quoin/cli/inputs.h"
+#include "quoin/cli/memory.h"
+#include "quoin/cli/planar.h"
+#include "quoin/cli/point_input.h"
+#include "quoin/cli/summary.h"
+#include "quoin/cli/triangulated_points.h"
+
+namespace quoin::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json report_of(const TriangulatedPoints& made, const PointFile& file, const Options& options) {
+  Json report = describe(file, options);
+  report["distinct"] = made.distinct;
+  report["dimension"] = made.dimension;
+  if (options.weighted) {
+    report["vertices"] = made.vertices;
+    report["hidden"] = made.hidden;
+  }
+  report["largest_multiplicity"] = made.largest_multiplicity;
+  report["cells"] = made.cells;
+  if (made.delone) report["delone_cells"] = *made.delone;
+  report["hull_vertices"] = made.hull_vertices;
+  report["hull_simplices"] = made.hull_simplices;
+  if (options.check) report["check"] = "passed";
+  return report;
+}
+
+}  // namespace
+
+int run_delaunay(const Options& options, const Context& context) {
+  if (options.weighted && options.check)
+    throw UsageError("--check proves that spheres are empty: there is no such proof yet for --weighted");
+  std::vector<std::string> warnings;
+  const PointFile file = read_point_input(options, warnings, context);
+  const TriangulateOptions how{
+      .of_plane = is_of_plane(file, options), .check = options.check, .is_written = !options.outputs.empty()};
+  announce_memory(memory_to_triangulate(file.points.size(), how, options.weighted), file.points.size(), options);
+  const TriangulatedPoints made = triangulate(file, how, context);
+  if (made.dimension < (how.of_plane ? 2 : 3)) {
+    static constexpr const char* flats[] = {"are all equal", "lie on one line", "lie in one plane"};
+    warnings.push_back(shown(options.inputs[0]) + ": the points " + flats[made.dimension] +
+                       (made.dimension == 2   ? ": cells are triangles"
+                        : made.dimension == 1 ? ": cells are edges"
+                                              : ""));
+  }
+  write_cells([&] { return grid_of(made, file); }, [&] { return mesh_of(made, file); }, options, warnings, context);
+  Json report = report_of(made, file, options);
+  const std::string text = as_text(report);
+  print_report(std::move(report), text, warnings, options);
+  return 0;
+}
+
+}  // namespace quoin::cli

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quoin/cli/nearest_cells.h"
+
+#include <algorithm>
+
+#include "quoin/cli/point_input.h"
+#include "quoin/triangulation/delone.h"
+#include "quoin/triangulation/delone2.h"
+#include "quoin/triangulation/voronoi.h"
+#include "quoin/triangulation/voronoi2.h"
+
+namespace quoin::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+constexpr std::uint32_t none = 0xFFFFFFFF;
+
+/// Corners of the diagram by the number of their Delone cell; each is rounded once.
+class Corners {
+ public:
+  explicit Corners(std::size_t count) : number_(count, none) {}
+
+  /// The place among `points`, where `make()` goes if the corner is not there.
+  template <class Make>
+  std::uint32_t place(std::uint32_t corner, std::vector<Point3>& points, const Make& make) {
+    if (number_[corner] == none) {
+      number_[corner] = static_cast<std::uint32_t>(points.size());
+      points.push_back(make());
+    }
+    return number_[corner];
+  }
+  void forget() { std::ranges::fill(number_, none); }
+
+ private:
+  std::vector<std::uint32_t> number_;
+};
+
+class PlaneCells : public NearestCells {
+ public:
+  PlaneCells(const PointFile& file, const Context& context)
+      : delaunay_(plane_points(file), {}, context),
+        delone_(delaunay_, context),
+        voronoi_(delaunay_, delone_),
+        corners_(delone_.cell_count()) {}
+
+  Json counts() const override {
+    return {{"dimension", delaunay_.dimension()},
+            {"vertices", voronoi_.vertex_count()},
+            {"edges", voronoi_.edges().size()}};
+  }
+  std::size_t site_count() const override { return delaunay_.vertex_count(); }
+  std::span<const std::uint32_t> inputs(std::uint32_t site) const override { return delaunay_.inputs(Vertex2(site)); }
+  bool is_bounded(std::uint32_t site) const override { return voronoi_.cell(Vertex2(site)).is_bounded; }
+  Rational size(std::uint32_t site) const override { return *voronoi_.area(Vertex2(site)); }
+
+  std::vector<std::array<std::uint32_t, 2>> neighbours() const override {
+    std::vector<std::array<std::uint32_t, 2>> pairs;
+    for (const VoronoiEdge2& e : voronoi_.edges()) pairs.push_back({e.left.value, e.right.value});
+    return pairs;
+  }
+
+  void add_cell(std::uint32_t site, VtkGrid& grid) override {
+    grid.add_cell(VtkCell::polygon, polygon(site, grid.points));
+  }
+
+  Mesh mesh(const Context& context) override {
+    Mesh mesh;
+    corners_.forget();
+    for (std::uint32_t site = 0; site < site_count(); ++site) {
+      context.poll();
+      if (is_bounded(site)) mesh.add_face(polygon(site, mesh.vertices));
+    }
+    return mesh;
+  }
+
+ private:
+  std::vector<std::uint32_t> polygon(std::uint32_t site, std::vector<Point3>& points) {
+    std::vector<std::uint32_t> numbers;
+    for (const DeloneCell2 corner : voronoi_.cell(Vertex2(site)).corners) {
+      numbers.push_back(corners_.place(corner.value, points, [&] {
+        const Point2 p = voronoi_.rounded(corner);
+        return Point3{p.x, p.y, 0};
+      }));
+    }
+    return numbers;
+  }
+
+  Delaunay2 delaunay_;
+  Delone2 delone_;
+  Voronoi2 voronoi_;
+  Corners corners_;
+};
+
+class SpaceCells : public NearestCells {
+ public:
+  SpaceCells(const PointFile& file, bool is_listed, const Context& context)
+      : delaunay_(file.points, context),
+        labels_(delone_labels(delaunay_, context)),
+        delone_(delaunay_, context),
+        corners_(labels_.cell_count) {
+    if (delaunay_.dimension() < 3) return;
+    voronoi_.emplace(delaunay_);
+    context.progress("corners", 0);
+    if (is_listed) voronoi_->keep_corners(context);
+  }
+
+  /// What a Delone cell or face stands for depends on how many dimensions it lacks.
+  Json counts() const override {
+    const int d = delaunay_.dimension();
+    return {{"dimension", d},
+            {"vertices", d == 3 ? delone_.cell_count() : 0},
+            {"edges", d == 3   ? delone_.facet_count()
+                      : d == 2 ? delone_.cell_count()
+                               : 0},
+            {"facets", delone_.edges().size()}};
+  }
+  std::size_t site_count() const override { return delaunay_.vertex_count(); }
+  std::span<const std::uint32_t> inputs(std::uint32_t site) const override { return delaunay_.inputs(site); }
+  bool is_bounded(std::uint32_t site) const override { return voronoi_ && !voronoi_->is_unbounded(site); }
+  Rational size(std::uint32_t site) const override { return voronoi_->volume(site, facets(site)); }
+  std::vector<std::array<std::uint32_t, 2>> neighbours() const override {
+    return {delone_.edges().begin(), delone_.edges().end()};
+  }
+
+  void add_cell(std::uint32_t site, VtkGrid& grid) override {
+    std::vector<std::uint32_t> numbers{0};
+    for (const VoronoiFacet& f : facets(site)) {
+      ++numbers[0];
+      numbers.push_back(static_cast<std::uint32_t>(f.cells.size()));
+      for (const std::uint32_t corner : polygon(f, grid.points)) numbers.push_back(corner);
+    }
+    grid.add_cell(VtkCell::polyhedron, numbers);
+  }
+
+  Mesh mesh(const Context& context) override {
+    Mesh mesh;
+    corners_.forget();
+    for (std::uint32_t site = 0; voronoi_ && site < site_count(); ++site) {
+      context.poll();
+      for (const VoronoiFacet& f : facets(site)) {
+        if (f.is_bounded && f.neighbour > site) mesh.add_face(polygon(f, mesh.vertices));
+      }
+    }
+    return mesh;
+  }
+
+ private:
+  /// Those of the site asked for last are kept.
+  const std::vector<VoronoiFacet>& facets(std::uint32_t site) const {
+    if (facets_of_ != site) {
+      facets_ = voronoi_->facets(site);
+      facets_of_ = site;
+    }
+    return facets_;
+  }
+
+  std::vector<std::uint32_t> polygon(const VoronoiFacet& facet, std::vector<Point3>& points) {
+    std::vector<std::uint32_t> numbers;
+    for (std::size_t i = 0; i < facet.cells.size(); ++i) {
+      numbers.push_back(corners_.place(labels_.cell_of[facet.cells[i]], points, [&] {
+        const RationalPoint3& p = facet.corners[i];
+        return Point3{p.x.to_double(), p.y.to_double(), p.z.to_double()};
+      }));
+    }
+    return numbers;
+  }
+
+  Delaunay3 delaunay_;
+  DeloneLabels labels_;
+  DeloneComplex delone_;
+  std::optional<Voronoi3> voronoi_;
+  Corners corners_;
+  mutable std::vector<VoronoiFacet> facets_;
+  mutable std::uint32_t facets_of_ = none;
+};
+
+}  // namespace
+
+std::unique_ptr<NearestCells> nearest_cells(const PointFile& file, bool of_plane, bool is_listed,
+                                            const Context& context) {
+  if (of_plane) return std::make_unique<PlaneCells>(file, context);
+  return std::make_unique<SpaceCells>(file, is_listed, context);
+}
+
+std::uint64_t memory_of_nearest_cells(std::size_t points, bool of_plane, bool is_listed) {
+  // Measured at a million points, what the file says of them included.
+  std::uint64_t per_point = of_plane ? 400 : 2500;
+  if (is_listed) per_point += of_plane ? 1500 : 4000;
+  return points * per_point;
+}
+
+}  // namespace quoin::cli

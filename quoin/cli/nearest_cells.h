@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "quoin/base/context.h"
+#include "quoin/io/mesh_file.h"
+#include "quoin/io/point_file.h"
+#include "quoin/io/vtk_grid.h"
+#include "quoin/number/rational.h"
+
+namespace quoin::cli {
+
+/// A Voronoi diagram as the command reports it: of the plane, or of space where points may lie in a plane or on a line,
+/// so that all cells are infinite. Sites are the distinct points, by some numbers.
+class NearestCells {
+ public:
+  NearestCells() = default;
+  NearestCells(const NearestCells&) = delete;
+  NearestCells& operator=(const NearestCells&) = delete;
+  virtual ~NearestCells() = default;
+
+  /// Numbers of vertices, edges, and of space facets; dimension.
+  virtual nlohmann::ordered_json counts() const = 0;
+  virtual std::size_t site_count() const = 0;
+  /// Numbers of the points at a site, ascending.
+  virtual std::span<const std::uint32_t> inputs(std::uint32_t site) const = 0;
+  virtual bool is_bounded(std::uint32_t site) const = 0;
+  /// Volume or area of a bounded cell, exact.
+  virtual Rational size(std::uint32_t site) const = 0;
+  /// Pairs of sites whose cells share a facet, of the plane an edge.
+  virtual std::vector<std::array<std::uint32_t, 2>> neighbours() const = 0;
+
+  /// Adds a bounded cell to a grid, with the corners that it has not yet. Corners are rounded to nearest.
+  virtual void add_cell(std::uint32_t site, VtkGrid& grid) = 0;
+  /// The bounded facets, each once, or the bounded cells of the plane.
+  virtual Mesh mesh(const Context& context) = 0;
+};
+
+/// Of the plane if `of_plane`; prepared for questions about all cells if `is_listed`. @throws what triangulations throw
+std::unique_ptr<NearestCells> nearest_cells(const PointFile& file, bool of_plane, bool is_listed,
+                                            const Context& context);
+
+/// About the most memory that it takes at a time, in bytes.
+std::uint64_t memory_of_nearest_cells(std::size_t points, bool of_plane, bool is_listed);
+
+}  // namespace quoin::cli

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "quoin/base/context.h"
+#include "quoin/cli/options.h"
+#include "quoin/io/point_file.h"
+
+namespace quoin::cli {
+
+/// Reads the points of the command's file, or of standard input. Warnings go to `warnings`.
+PointFile read_point_input(const Options& options, std::vector<std::string>& warnings, const Context& context);
+
+/// Whether points are those of the plane: the file has two coordinates, or --plane asks for it.
+bool is_of_plane(const PointFile& file, const Options& options);
+
+/// x and y of all points.
+std::vector<Point2> plane_points(const PointFile& file);
+
+/// The first keys of a report: format, points, coordinates, missing where some are.
+nlohmann::ordered_json describe(const PointFile& file, const Options& options);
+
+}  // namespace quoin::cli

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quoin/cli/triangulated_points.h"
+
+#include <algorithm>
+
+#include "quoin/base/error.h"
+#include "quoin/cli/point_input.h"
+#include "quoin/triangulation/check2.h"
+#include "quoin/triangulation/check3.h"
+#include "quoin/triangulation/delone.h"
+#include "quoin/triangulation/delone2.h"
+#include "quoin/triangulation/regular2.h"
+#include "quoin/triangulation/regular3.h"
+
+namespace quoin::cli {
+
+namespace {
+
+constexpr std::uint32_t none = 0xFFFFFFFF;
+constexpr std::size_t poll_step = 4096;
+
+void require_proof(const std::string& defect) {
+  if (!defect.empty()) throw InternalError("the check of the triangulation failed: " + defect);
+}
+
+/// Collects the vertices; those that are none are left out.
+class Vertices {
+ public:
+  Vertices(TriangulatedPoints& result, bool is_written) : result_(result), is_written_(is_written) {}
+
+  /// Of the points at a vertex, the first ones.
+  void add(std::span<const std::uint32_t> inputs) {
+    ++result_.vertices;
+    result_.largest_multiplicity = std::max(result_.largest_multiplicity, inputs.size());
+    if (!is_written_) return;
+    result_.first_input.push_back(inputs[0]);
+    result_.multiplicity.push_back(static_cast<std::uint32_t>(inputs.size()));
+  }
+
+ private:
+  TriangulatedPoints& result_;
+  bool is_written_;
+};
+
+/// Delaunay2 and Regular2.
+template <class Triangulation>
+TriangulatedPoints take_plane(const Triangulation& t, const Delone2* delone, bool is_written, const Context& context) {
+  TriangulatedPoints result;
+  result.dimension = t.dimension();
+  Vertices vertices(result, is_written);
+  for (std::uint32_t v = 0; v < t.vertex_count(); ++v) {
+    if (v % poll_step == 0) context.poll();
+    vertices.add(t.inputs(Vertex2(v)));
+  }
+  const auto add_cell = [&](const std::array<std::uint32_t, 4>& cell, std::uint32_t label) {
+    ++result.cells;
+    if (!is_written) return;
+    result.simplices.push_back(cell);
+    if (delone != nullptr) result.delone_of.push_back(label);
+  };
+  if (t.dimension() < 2) {
+    const std::span<const Vertex2> line = t.line();
+    for (std::uint32_t i = 1; i < line.size(); ++i) add_cell({line[i - 1].value, line[i].value, none, none}, i - 1);
+    if (line.size() == 1) add_cell({line[0].value, none, none, none}, 0);
+    if (delone != nullptr) result.delone = result.cells;
+    result.hull_vertices = std::min<std::size_t>(line.size(), 2);
+    result.hull_simplices = result.hull_vertices;
+    return result;
+  }
+  const Triangulation2& links = t.links();
+  for (std::uint32_t i = 0; i < links.triangle_count(); ++i) {
+    if (i % poll_step == 0) context.poll();
+    if (links.is_infinite(Triangle2(i))) {
+      ++result.hull_simplices;
+      continue;
+    }
+    const std::array<Vertex2, 3> v = links.corners(Triangle2(i));
+    add_cell({v[0].value, v[1].value, v[2].value, none}, delone != nullptr ? delone->cell(Triangle2(i)).value : 0);
+  }
+  result.hull_vertices = result.hull_simplices;
+  if (delone != nullptr) result.delone = delone->cell_count();
+  return result;
+}
+
+/// Delaunay3 and Regular3. `number` has for each vertex its number among those that are not hidden.
+template <class Triangulation>
+TriangulatedPoints take_space(const Triangulation& t, const std::vector<std::uint32_t>& number,
+                              const DeloneLabels* labels, bool is_written, const Context& context) {
+  TriangulatedPoints result;
+  result.dimension = t.dimension();
+  const auto size = static_cast<std::size_t>(t.dimension()) + 1;
+  std::vector<bool> is_on_hull(t.vertex_count());
+  for (std::size_t c = 0; c < t.cells().size(); ++c) {
+    if (c % poll_step == 0) context.poll();
+    std::array<std::uint32_t, 4> vertices = t.cells()[c].vertices;
+    const bool is_ghost = t.is_ghost(c);
+    for (std::size_t i = 0; i + (is_ghost ? 1 : 0) < size; ++i) {
+      if (is_ghost) is_on_hull[vertices[i]] = true;
+      if (!number.empty()) vertices[i] = number[vertices[i]];
+    }
+    if (is_ghost) {
+      ++result.hull_simplices;
+      if (is_written && t.dimension() == 3) result.hull.push_back({vertices[0], vertices[1], vertices[2]});
+      continue;
+    }
+    ++result.cells;
+    if (!is_written) continue;
+    result.simplices.push_back(vertices);
+    if (labels != nullptr) result.delone_of.push_back(labels->cell_of[c]);
+  }
+  result.hull_vertices = static_cast<std::size_t>(std::ranges::count(is_on_hull, true));
+  if (t.dimension() == 0) result.hull_vertices = 1;
+  if (t.dimension() < 2) result.hull_simplices = result.hull_vertices;
+  if (labels != nullptr) result.delone = labels->cell_count;
+  return result;
+}
+
+TriangulatedPoints triangulate_plane(const PointFile& file, const TriangulateOptions& options, const Context& context) {
+  const std::vector<Point2> points = plane_points(file);
+  const Delaunay2 t(points, {}, context);
+  context.progress("Delone cells", 0);
+  const Delone2 delone(t, context);
+  if (options.check) {
+    context.progress("check", 0);
+    require_proof(defect(t, points, context));
+  }
+  TriangulatedPoints result = take_plane(t, &delone, options.is_written, context);
+  result.distinct = result.vertices;
+  return result;
+}
+
+TriangulatedPoints triangulate_weighted_plane(const PointFile& file, const TriangulateOptions& options,
+                                              const Context& context) {
+  std::vector<WeightedPoint2> points;
+  points.reserve(file.points.size());
+  for (std::size_t i = 0; i < file.points.size(); ++i)
+    points.push_back({{file.points[i].x, file.points[i].y}, file.weights[i]});
+  const Regular2 t(points, context);
+  TriangulatedPoints result = take_plane(t, nullptr, options.is_written, context);
+  result.hidden = t.hidden().size();
+  std::vector<Point2> places = plane_points(file);
+  std::ranges::sort(places, [](const Point2& a, const Point2& b) { return lexicographically_less(a, b); });
+  result.distinct = static_cast<std::size_t>(std::unique(places.begin(), places.end()) - places.begin());
+  return result;
+}
+
+TriangulatedPoints triangulate_space(const PointFile& file, const TriangulateOptions& options, const Context& context) {
+  const Delaunay3 t(file.points, context);
+  context.progress("Delone cells", 0);
+  const DeloneLabels labels = delone_labels(t, context);
+  if (options.check) {
+    context.progress("check", 0);
+    require_proof(defect(t, file.points, context));
+  }
+  TriangulatedPoints result = take_space(t, {}, &labels, options.is_written, context);
+  Vertices vertices(result, options.is_written);
+  for (std::uint32_t v = 0; v < t.vertex_count(); ++v) {
+    if (v % poll_step == 0) context.poll();
+    vertices.add(t.inputs(v));
+  }
+  result.distinct = result.vertices;
+  return result;
+}
+
+TriangulatedPoints triangulate_weighted_space(const PointFile& file, const TriangulateOptions& options,
+                                              const Context& context) {
+  const Regular3 t(file.points, file.weights, context);
+  std::vector<std::uint32_t> number(t.vertex_count(), none);
+  std::vector<std::vector<std::uint32_t>> inputs;  // of vertices, those of their weight
+  std::size_t seen = 0;
+  for (std::uint32_t v = 0; v < t.vertex_count(); ++v) {
+    if (v % poll_step == 0) context.poll();
+    if (t.is_hidden(v)) continue;
+    number[v] = static_cast<std::uint32_t>(inputs.size());
+    inputs.emplace_back();
+    for (const std::uint32_t i : t.inputs(v)) {
+      if (file.weights[i] == t.weight(v)) inputs.back().push_back(i);
+    }
+    seen += inputs.back().size();
+  }
+  TriangulatedPoints result = take_space(t, number, nullptr, options.is_written, context);
+  Vertices vertices(result, options.is_written);
+  for (const std::vector<std::uint32_t>& list : inputs) vertices.add(list);
+  result.distinct = t.vertex_count();
+  result.hidden = file.points.size() - seen;
+  return result;
+}
+
+}  // namespace
+
+TriangulatedPoints triangulate(const PointFile& file, const TriangulateOptions& options, const Context& context) {
+  const bool weighted = !file.weights.empty();
+  if (options.of_plane) {
+    return weighted ? triangulate_weighted_plane(file, options, context) : triangulate_plane(file, options, context);
+  }
+  return weighted ? triangulate_weighted_space(file, options, context) : triangulate_space(file, options, context);
+}
+
+std::uint64_t memory_to_triangulate(std::size_t points, const TriangulateOptions& options, bool weighted) {
+  // Measured at a million points, what the file says of them included.
+  std::uint64_t per_point = options.of_plane ? 260 : 420;
+  if (weighted) per_point += 100;
+  if (options.check) per_point += options.of_plane ? 10 : 30;
+  if (options.is_written) per_point += options.of_plane ? 400 : 1400;
+  return points * per_point;
+}
+
+VtkGrid grid_of(const TriangulatedPoints& triangulated, const PointFile& file) {
+  VtkGrid grid;
+  static constexpr std::array<VtkCell, 4> types{VtkCell::vertex, VtkCell::line, VtkCell::triangle,
+                                                VtkCell::tetrahedron};
+  const auto dimension = static_cast<std::size_t>(triangulated.dimension);
+  for (const std::uint32_t i : triangulated.first_input) {
+    grid.points.push_back(file.points[i]);
+    if (!file.normals.empty()) grid.normals.push_back(file.normals[i]);
+    if (!file.colors.empty()) grid.colors.push_back(file.colors[i]);
+  }
+  for (const auto& simplex : triangulated.simplices) grid.add_cell(types[dimension], {simplex.data(), dimension + 1});
+  grid.point_integers.emplace_back("input", triangulated.first_input);
+  grid.point_integers.emplace_back("multiplicity", triangulated.multiplicity);
+  const auto add_doubles = [&](const char* name, const std::vector<double>& values) {
+    if (values.empty()) return;
+    grid.point_doubles.emplace_back(name, std::vector<double>());
+    for (const std::uint32_t i : triangulated.first_input) grid.point_doubles.back().second.push_back(values[i]);
+  };
+  add_doubles("intensity", file.intensities);
+  add_doubles("weight", file.weights);
+  if (!triangulated.delone_of.empty()) grid.cell_integers.emplace_back("delone_cell", triangulated.delone_of);
+  return grid;
+}
+
+Mesh mesh_of(const TriangulatedPoints& triangulated, const PointFile& file) {
+  Mesh mesh;
+  std::vector<std::uint32_t> number(triangulated.first_input.size(), none);
+  const auto add = [&](std::uint32_t vertex) {
+    number[vertex] = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.push_back(file.points[triangulated.first_input[vertex]]);
+  };
+  const auto add_face = [&](const std::uint32_t* vertices) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (number[vertices[k]] == none) add(vertices[k]);
+      mesh.corners.push_back(number[vertices[k]]);
+    }
+    mesh.face_begin.push_back(mesh.corners.size());
+  };
+  if (triangulated.dimension < 3) {
+    for (std::uint32_t v = 0; v < number.size(); ++v) add(v);
+  }
+  for (const auto& triangle : triangulated.hull) add_face(triangle.data());
+  if (triangulated.dimension == 2) {
+    for (const auto& simplex : triangulated.simplices) add_face(simplex.data());
+  }
+  return mesh;
+}
+
+}  // namespace quoin::cli

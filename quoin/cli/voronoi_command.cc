@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "quoin/cli/cell_outputs.h"
+#include "quoin/cli/commands.h"
+#include "quoin/cli/failure.h"
+#include "quoin/cli/inputs.h"
+#include "quoin/cli/memory.h"
+#include "quoin/cli/nearest_cells.h"
+#include "quoin/cli/planar.h"
+#include "quoin/cli/point_input.h"
+#include "quoin/cli/summary.h"
+
+namespace quoin::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t short_number = 200;  // characters of an exact volume that is always told
+
+/// For each site the sites next to it, one after the other.
+class Neighbours {
+ public:
+  explicit Neighbours(const NearestCells& cells) : begin_(cells.site_count() + 1) {
+    const auto pairs = cells.neighbours();
+    for (const auto& [a, b] : pairs) {
+      ++begin_[a + 1];
+      ++begin_[b + 1];
+    }
+    for (std::size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
+    list_.resize(2 * pairs.size());
+    std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
+    for (const auto& [a, b] : pairs) {
+      list_[next[a]++] = b;
+      list_[next[b]++] = a;
+    }
+  }
+  std::span<const std::uint32_t> of(std::uint32_t site) const {
+    return std::span(list_).subspan(begin_[site], begin_[site + 1] - begin_[site]);
+  }
+
+ private:
+  std::vector<std::size_t> begin_;
+  std::vector<std::uint32_t> list_;
+};
+
+/// Sites by their first points.
+std::vector<std::uint32_t> in_order_of_inputs(const NearestCells& cells) {
+  std::vector<std::uint32_t> sites(cells.site_count());
+  for (std::uint32_t s = 0; s < sites.size(); ++s) sites[s] = s;
+  std::ranges::sort(sites, {}, [&](std::uint32_t s) { return cells.inputs(s)[0]; });
+  return sites;
+}
+
+Json as_json(const std::optional<double>& number) {
+  return number && std::isfinite(*number) ? Json(*number) : Json();
+}
+
+struct Sizes {
+  std::vector<double> rounded;     // by site; NaN of an infinite cell
+  std::vector<std::string> exact;  // if they are listed
+};
+
+Sizes sizes_of(const NearestCells& cells, const Options& options, const Context& context) {
+  Sizes sizes;
+  sizes.rounded.assign(cells.site_count(), std::numeric_limits<double>::quiet_NaN());
+  if (options.cells) sizes.exact.resize(cells.site_count());
+  for (std::uint32_t s = 0; s < cells.site_count(); ++s) {
+    if (s % 64 == 0) context.progress("volumes", static_cast<double>(s) / static_cast<double>(cells.site_count()));
+    context.poll();
+    if (!cells.is_bounded(s)) continue;
+    const Rational size = cells.size(s);
+    sizes.rounded[s] = size.to_double();
+    if (!options.cells) continue;
+    sizes.exact[s] = size.to_string();
+    if (!options.exact && sizes.exact[s].size() > short_number) sizes.exact[s].clear();
+  }
+  return sizes;
+}
+
+Json list_of(const NearestCells& cells, const Sizes& sizes, const PointFile& file, bool of_plane,
+             const Context& context) {
+  const char* const size_name = of_plane ? "area" : "volume";
+  const Neighbours neighbours(cells);
+  Json list = Json::array();
+  for (const std::uint32_t s : in_order_of_inputs(cells)) {
+    context.poll();
+    const std::span<const std::uint32_t> inputs = cells.inputs(s);
+    const Point3& p = file.points[inputs[0]];
+    Json cell{{"input", inputs[0]}};
+    if (inputs.size() > 1) cell["inputs"] = std::vector<std::uint32_t>(inputs.begin(), inputs.end());
+    cell["point"] = of_plane ? Json{p.x, p.y} : Json{p.x, p.y, p.z};
+    cell["bounded"] = cells.is_bounded(s);
+    cell[size_name] = as_json(sizes.rounded[s]);
+    cell[std::string("exact_") + size_name] = sizes.exact[s].empty() ? Json() : Json(sizes.exact[s]);
+    std::vector<std::uint32_t> next;
+    for (const std::uint32_t n : neighbours.of(s)) next.push_back(cells.inputs(n)[0]);
+    std::ranges::sort(next);
+    cell["neighbours"] = std::move(next);
+    list.push_back(std::move(cell));
+  }
+  return list;
+}
+
+VtkGrid grid_of(NearestCells& cells, const Sizes& sizes, bool of_plane, const Context& context) {
+  VtkGrid grid;
+  grid.cell_integers.push_back({"input", {}});
+  grid.cell_doubles.push_back({of_plane ? "area" : "volume", {}});
+  for (const std::uint32_t s : in_order_of_inputs(cells)) {
+    context.poll();
+    if (!cells.is_bounded(s)) continue;
+    cells.add_cell(s, grid);
+    grid.cell_integers[0].second.push_back(cells.inputs(s)[0]);
+    grid.cell_doubles[0].second.push_back(sizes.rounded[s]);
+  }
+  return grid;
+}
+
+/// For people, a line per cell.
+std::string text_of(const Json& cells, bool of_plane) {
+  std::string text;
+  for (const Json& cell : cells) {
+    const Json& size = cell[of_plane ? "area" : "volume"];
+    const Json& exact = cell[of_plane ? "exact_area" : "exact_volume"];
+    text += "cell " + cell["input"].dump() + " of " + cell["point"].dump() + ": " +
+            (cell["bounded"] == false ? "infinite" : size.dump()) +
+            (exact.is_string() ? " = " + exact.get<std::string>() : "") + ", next to " + cell["neighbours"].dump() +
+            "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+int run_voronoi(const Options& options, const Context& context) {
+  if (options.exact && !options.cells) throw UsageError("--exact goes with --cells");
+  std::vector<std::string> warnings;
+  const PointFile file = read_point_input(options, warnings, context);
+  const bool of_plane = is_of_plane(file, options);
+  const bool is_listed = options.cells || !options.outputs.empty();
+  announce_memory(memory_of_nearest_cells(file.points.size(), of_plane, is_listed), file.points.size(), options);
+  const std::unique_ptr<NearestCells> cells = nearest_cells(file, of_plane, is_listed, context);
+  const Sizes sizes = is_listed ? sizes_of(*cells, options, context) : Sizes();
+  std::size_t bounded = 0;
+  for (std::uint32_t s = 0; s < cells->site_count(); ++s) bounded += cells->is_bounded(s) ? 1 : 0;
+  Json report = describe(file, options);
+  report["distinct"] = cells->site_count();
+  report.update(cells->counts());
+  report["bounded_cells"] = bounded;
+  report["infinite_cells"] = cells->site_count() - bounded;
+  if (!options.outputs.empty() && bounded < cells->site_count())
+    warnings.push_back(std::to_string(cells->site_count() - bounded) + " cells are infinite and are not written");
+  write_cells([&] { return grid_of(*cells, sizes, of_plane, context); }, [&] { return cells->mesh(context); }, options,
+              warnings, context);
+  std::string text = as_text(report);
+  if (options.cells) {
+    report["cells"] = list_of(*cells, sizes, file, of_plane, context);
+    if (!options.json && !options.quiet) text += text_of(report["cells"], of_plane);
+  }
+  print_report(std::move(report), text, warnings, options);
+  return 0;
+}
+
+}  // namespace quoin::cli
