@@ -54,7 +54,8 @@ class PlaneCells : public NearestCells {
   bool is_bounded(std::uint32_t site) const override { return voronoi_.cell(Vertex2(site)).is_bounded; }
   Rational size(std::uint32_t site) const override { return *voronoi_.area(Vertex2(site)); }
 
-  std::vector<std::array<std::uint32_t, 2>> neighbours() const override {
+  std::vector<std::array<std::uint32_t, 2>> neighbours(const Context& context) const override {
+    context.poll();
     std::vector<std::array<std::uint32_t, 2>> pairs;
     for (const VoronoiEdge2& e : voronoi_.edges()) pairs.push_back({e.left.value, e.right.value});
     return pairs;
@@ -97,7 +98,7 @@ class SpaceCells : public NearestCells {
   SpaceCells(const PointFile& file, bool is_listed, const Context& context)
       : delaunay_(file.points, context),
         labels_(delone_labels(delaunay_, context)),
-        delone_(delaunay_, context),
+        counts_(count_faces(delaunay_, labels_, context)),
         corners_(labels_.cell_count) {
     if (delaunay_.dimension() < 3) return;
     voronoi_.emplace(delaunay_);
@@ -105,22 +106,20 @@ class SpaceCells : public NearestCells {
     if (is_listed) voronoi_->keep_corners(context);
   }
 
-  /// What a Delone cell or face stands for depends on how many dimensions it lacks.
+  /// A face of the Delone complex stands for one of the diagram, of 3 less as many dimensions.
   Json counts() const override {
-    const int d = delaunay_.dimension();
-    return {{"dimension", d},
-            {"vertices", d == 3 ? delone_.cell_count() : 0},
-            {"edges", d == 3   ? delone_.facet_count()
-                      : d == 2 ? delone_.cell_count()
-                               : 0},
-            {"facets", delone_.edges().size()}};
+    return {{"dimension", delaunay_.dimension()},
+            {"vertices", counts_.faces[3]},
+            {"edges", counts_.faces[2]},
+            {"facets", counts_.faces[1]}};
   }
   std::size_t site_count() const override { return delaunay_.vertex_count(); }
   std::span<const std::uint32_t> inputs(std::uint32_t site) const override { return delaunay_.inputs(site); }
   bool is_bounded(std::uint32_t site) const override { return voronoi_ && !voronoi_->is_unbounded(site); }
   Rational size(std::uint32_t site) const override { return voronoi_->volume(site, facets(site)); }
-  std::vector<std::array<std::uint32_t, 2>> neighbours() const override {
-    return {delone_.edges().begin(), delone_.edges().end()};
+  std::vector<std::array<std::uint32_t, 2>> neighbours(const Context& context) const override {
+    const DeloneComplex complex(delaunay_, context);
+    return {complex.edges().begin(), complex.edges().end()};
   }
 
   void add_cell(std::uint32_t site, VtkGrid& grid) override {
@@ -168,7 +167,7 @@ class SpaceCells : public NearestCells {
 
   Delaunay3 delaunay_;
   DeloneLabels labels_;
-  DeloneComplex delone_;
+  DeloneCounts counts_;
   std::optional<Voronoi3> voronoi_;
   Corners corners_;
   mutable std::vector<VoronoiFacet> facets_;
@@ -185,7 +184,7 @@ std::unique_ptr<NearestCells> nearest_cells(const PointFile& file, bool of_plane
 
 std::uint64_t memory_of_nearest_cells(std::size_t points, bool of_plane, bool is_listed) {
   // Measured at a million points, what the file says of them included.
-  std::uint64_t per_point = of_plane ? 400 : 2500;
+  std::uint64_t per_point = of_plane ? 290 : 400;
   if (is_listed) per_point += of_plane ? 1500 : 4000;
   return points * per_point;
 }

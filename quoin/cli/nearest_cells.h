@@ -35,7 +35,7 @@ class NearestCells {
   /// Volume or area of a bounded cell, exact.
   virtual Rational size(std::uint32_t site) const = 0;
   /// Pairs of sites whose cells share a facet, of the plane an edge.
-  virtual std::vector<std::array<std::uint32_t, 2>> neighbours() const = 0;
+  virtual std::vector<std::array<std::uint32_t, 2>> neighbours(const Context& context) const = 0;
 
   /// Adds a bounded cell to a grid, with the corners that it has not yet. Corners are rounded to nearest.
   virtual void add_cell(std::uint32_t site, VtkGrid& grid) = 0;

@@ -198,10 +198,10 @@ TriangulatedPoints triangulate(const PointFile& file, const TriangulateOptions& 
 
 std::uint64_t memory_to_triangulate(std::size_t points, const TriangulateOptions& options, bool weighted) {
   // Measured at a million points, what the file says of them included.
-  std::uint64_t per_point = options.of_plane ? 260 : 420;
+  std::uint64_t per_point = options.of_plane ? 260 : 320;
   if (weighted) per_point += 100;
   if (options.check) per_point += options.of_plane ? 10 : 30;
-  if (options.is_written) per_point += options.of_plane ? 400 : 1400;
+  if (options.is_written) per_point += options.of_plane ? 130 : 750;
   return points * per_point;
 }
 

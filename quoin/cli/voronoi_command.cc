@@ -21,13 +21,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t short_number = 200;  // characters of an exact volume that is always told
+constexpr std::size_t short_number = 60;  // characters of an exact volume that is always told
 
 /// For each site the sites next to it, one after the other.
 class Neighbours {
  public:
-  explicit Neighbours(const NearestCells& cells) : begin_(cells.site_count() + 1) {
-    const auto pairs = cells.neighbours();
+  Neighbours(const NearestCells& cells, const Context& context) : begin_(cells.site_count() + 1) {
+    const auto pairs = cells.neighbours(context);
     for (const auto& [a, b] : pairs) {
       ++begin_[a + 1];
       ++begin_[b + 1];
@@ -86,7 +86,7 @@ Sizes sizes_of(const NearestCells& cells, const Options& options, const Context&
 Json list_of(const NearestCells& cells, const Sizes& sizes, const PointFile& file, bool of_plane,
              const Context& context) {
   const char* const size_name = of_plane ? "area" : "volume";
-  const Neighbours neighbours(cells);
+  const Neighbours neighbours(cells, context);
   Json list = Json::array();
   for (const std::uint32_t s : in_order_of_inputs(cells)) {
     context.poll();

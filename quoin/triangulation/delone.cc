@@ -90,6 +90,53 @@ DeloneLabels delone_labels(const Delaunay3& triangulation, const Context& contex
   return labels;
 }
 
+namespace {
+
+/// Pairs of numbers of cells, or of a cell and a facet of the hull, that share a facet.
+std::size_t count_facets(const Delaunay3& triangulation, const DeloneLabels& labels, const Context& context) {
+  const std::span<const TriangulationCell> cells = triangulation.cells();
+  std::vector<std::uint32_t> begin(std::size_t{labels.cell_count} + 1, 0);
+  for (std::uint32_t c = 0; c < cells.size(); ++c) {
+    if (!triangulation.is_ghost(c)) ++begin[labels.cell_of[c] + 1];
+  }
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<std::uint32_t> simplices(begin.back());
+  std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
+  for (std::uint32_t c = 0; c < cells.size(); ++c) {
+    if (!triangulation.is_ghost(c)) simplices[next[labels.cell_of[c]]++] = c;
+  }
+  std::size_t count = 0;
+  std::vector<std::uint32_t> mates;
+  for (std::uint32_t label = 0; label < labels.cell_count; ++label) {
+    if (label % 1024 == 0) context.poll();
+    mates.clear();
+    for (std::uint32_t i = begin[label]; i < begin[label + 1]; ++i) {
+      for (const std::uint32_t mate : cells[simplices[i]].neighbours) {
+        if (labels.cell_of[mate >> 2] > label) mates.push_back(labels.cell_of[mate >> 2]);
+      }
+    }
+    std::sort(mates.begin(), mates.end());
+    count += static_cast<std::size_t>(std::unique(mates.begin(), mates.end()) - mates.begin());
+  }
+  return count;
+}
+
+}  // namespace
+
+DeloneCounts count_faces(const Delaunay3& triangulation, const DeloneLabels& labels, const Context& context) {
+  DeloneCounts counts;
+  const std::size_t vertices = triangulation.vertex_count();
+  const std::size_t cells = labels.cell_count;
+  counts.faces[0] = vertices;
+  counts.faces[static_cast<std::size_t>(triangulation.dimension())] = cells;
+  if (triangulation.dimension() == 2) counts.faces[1] = vertices + cells - 1;
+  if (triangulation.dimension() == 3) {
+    counts.faces[2] = count_facets(triangulation, labels, context);
+    counts.faces[1] = vertices + counts.faces[2] - cells - 1;
+  }
+  return counts;
+}
+
 DeloneComplex::DeloneComplex(const Delaunay3& triangulation, const Context& context)
     : dimension_(triangulation.dimension()), vertex_count_(triangulation.vertex_count()) {
   DeloneLabels labels = delone_labels(triangulation, context);

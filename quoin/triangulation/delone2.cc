@@ -78,16 +78,22 @@ Delone2::Delone2(const Delaunay2& delaunay, const Context& context) {
     begin.push_back(static_cast<std::uint32_t>(corners.size()));
   }
 
+  // By the smallest corner, which few cells have in common, then by the one after it.
+  std::vector<std::uint32_t> bucket(delaunay.vertex_count() + 1, 0);
+  for (std::size_t i = 0; i < first.size(); ++i) ++bucket[corners[begin[i]].index() + 1];
+  std::partial_sum(bucket.begin(), bucket.end(), bucket.begin());
   std::vector<std::uint32_t> order(first.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    const Vertex2* const p = &corners[begin[a]];
-    const Vertex2* const q = &corners[begin[b]];
-    return p[0] != q[0] ? p[0] < q[0] : p[1] < q[1];
-  });
+  std::vector<std::uint32_t> next(bucket.begin(), bucket.end() - 1);
+  for (std::uint32_t i = 0; i < order.size(); ++i) order[next[corners[begin[i]].index()]++] = i;
+  for (std::size_t v = 0; v + 1 < bucket.size(); ++v) {
+    if (v % poll_step == 0) context.poll();
+    std::sort(order.begin() + bucket[v], order.begin() + bucket[v + 1],
+              [&](std::uint32_t a, std::uint32_t b) { return corners[begin[a] + 1] < corners[begin[b] + 1]; });
+  }
   std::vector<DeloneCell2> renamed(first.size());
   begin_.push_back(0);
   for (std::size_t i = 0; i < order.size(); ++i) {
+    if (i % poll_step == 0) context.poll();
     renamed[order[i]] = DeloneCell2(i);
     triangle_.push_back(first[order[i]]);
     corners_.insert(corners_.end(), corners.begin() + begin[order[i]], corners.begin() + begin[order[i] + 1]);

@@ -184,5 +184,24 @@ TEST(Delone, AxesMayBePermutedAndReflected) {
   }
 }
 
+TEST(DeloneCounts, AreThoseOfTheComplex) {
+  Random random(12);
+  const Context context({.threads = 1});
+  for (const std::size_t size : {1, 2, 4, 9, 70}) {
+    for (const Cloud& cloud : testing::clouds(random, size)) {
+      SCOPED_TRACE(cloud.name);
+      const Delaunay3 t(cloud.points, context);
+      const DeloneComplex complex(t, context);
+      const std::array<std::size_t, 4> faces = count_faces(t, delone_labels(t, context), context).faces;
+      EXPECT_EQ(faces[0], t.vertex_count());
+      EXPECT_EQ(faces[1], complex.edges().size());
+      if (t.dimension() == 3) {
+        EXPECT_EQ(faces[2], complex.facet_count());
+      }
+      EXPECT_EQ(faces[static_cast<std::size_t>(t.dimension())], complex.cell_count());
+    }
+  }
+}
+
 }  // namespace
 }  // namespace quoin
