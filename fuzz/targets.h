@@ -20,6 +20,7 @@ void read_obj(std::span<const std::uint8_t> bytes);
 void read_stl(std::span<const std::uint8_t> bytes);
 void read_ply(std::span<const std::uint8_t> bytes);
 void read_3mf(std::span<const std::uint8_t> bytes);
+void read_points(std::span<const std::uint8_t> bytes);
 void read_exact(std::span<const std::uint8_t> bytes);
 void read_arrangement(std::span<const std::uint8_t> bytes);
 void read_wkt(std::span<const std::uint8_t> bytes);
@@ -29,18 +30,12 @@ void read_dxf(std::span<const std::uint8_t> bytes);
 void predicates(std::span<const std::uint8_t> bytes);
 void booleans(std::span<const std::uint8_t> bytes);
 
-inline constexpr NamedTarget targets[] = {{"read_off", read_off},
-                                          {"read_obj", read_obj},
-                                          {"read_stl", read_stl},
-                                          {"read_ply", read_ply},
-                                          {"read_3mf", read_3mf},
-                                          {"read_exact", read_exact},
-                                          {"read_arrangement", read_arrangement},
-                                          {"read_wkt", read_wkt},
-                                          {"read_geojson", read_geojson},
-                                          {"read_svg", read_svg},
-                                          {"read_dxf", read_dxf},
-                                          {"predicates", predicates},
-                                          {"booleans", booleans}};
+inline constexpr NamedTarget targets[] = {{"read_off", read_off},       {"read_obj", read_obj},
+                                          {"read_stl", read_stl},       {"read_ply", read_ply},
+                                          {"read_3mf", read_3mf},       {"read_exact", read_exact},
+                                          {"read_points", read_points}, {"read_arrangement", read_arrangement},
+                                          {"read_wkt", read_wkt},       {"read_geojson", read_geojson},
+                                          {"read_svg", read_svg},       {"read_dxf", read_dxf},
+                                          {"predicates", predicates},   {"booleans", booleans}};
 
 }  // namespace quoin::fuzz

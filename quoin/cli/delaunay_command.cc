@@ -47,6 +47,10 @@ int run_delaunay(const Options& options, const Context& context) {
       .of_plane = is_of_plane(file, options), .check = options.check, .is_written = !options.outputs.empty()};
   announce_memory(memory_to_triangulate(file.points.size(), how, options.weighted), file.points.size(), options);
   const TriangulatedPoints made = triangulate(file, how, context);
+  if (made.heights_lost > 0) {
+    warnings.push_back(shown(options.inputs[0]) + ": " + std::to_string(made.heights_lost) +
+                       " points have the x and y of others and another third coordinate: the first one's is kept");
+  }
   if (made.dimension < (how.of_plane ? 2 : 3)) {
     static constexpr const char* flats[] = {"are all equal", "lie on one line", "lie in one plane"};
     warnings.push_back(shown(options.inputs[0]) + ": the points " + flats[made.dimension] +

@@ -185,7 +185,7 @@ std::unique_ptr<NearestCells> nearest_cells(const PointFile& file, bool of_plane
 std::uint64_t memory_of_nearest_cells(std::size_t points, bool of_plane, bool is_listed) {
   // Measured at a million points, what the file says of them included.
   std::uint64_t per_point = of_plane ? 290 : 400;
-  if (is_listed) per_point += of_plane ? 1500 : 4000;
+  if (is_listed) per_point += of_plane ? 2500 : 10'000;
   return points * per_point;
 }
 

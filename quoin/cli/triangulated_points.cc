@@ -126,6 +126,10 @@ TriangulatedPoints triangulate_plane(const PointFile& file, const TriangulateOpt
   }
   TriangulatedPoints result = take_plane(t, &delone, options.is_written, context);
   result.distinct = result.vertices;
+  for (std::uint32_t v = 0; v < t.vertex_count(); ++v) {
+    const std::span<const std::uint32_t> inputs = t.inputs(Vertex2(v));
+    for (const std::uint32_t i : inputs) result.heights_lost += file.points[i].z != file.points[inputs[0]].z ? 1 : 0;
+  }
   return result;
 }
 

@@ -26,6 +26,7 @@ struct TriangulatedPoints {
   std::size_t hull_simplices = 0;        ///< that make this boundary
   std::size_t largest_multiplicity = 1;  ///< most points at one vertex
   std::size_t hidden = 0;                ///< given points that are no vertices
+  std::size_t heights_lost = 0;          ///< points at a vertex of the plane with another z than its first
 
   // Of those that are to be written.
   std::vector<std::uint32_t> first_input;               ///< by vertex

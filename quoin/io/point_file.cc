@@ -34,10 +34,9 @@ std::optional<PointFormat> format_of_beginning(std::string_view bytes, const std
   if (word == "ply") return ply;
   if (word.ends_with("OFF") && word.size() <= 7) return off;
   if (io::begins_like_pcd(bytes)) return pcd;
-  for (const auto& [begin, what] : {std::pair<std::string_view, const char*>{"LASF", "LAS"},
-                                    {"ASTM-E57", "E57"},
-                                    {"PK\x03\x04", "a ZIP archive"},
-                                    {"\x1F\x8B", "a packed file (gzip)"}}) {
+  static constexpr std::pair<std::string_view, const char*> others[] = {
+      {"LASF", "LAS"}, {"ASTM-E57", "E57"}, {"PK\x03\x04", "a ZIP archive"}, {"\x1F\x8B", "a packed file (gzip)"}};
+  for (const auto& [begin, what] : others) {
     if (bytes.starts_with(begin))
       throw InputError(name + ": " + what + " is not read (points: XYZ, PTS, CSV, PLY, OBJ, OFF, PCD)");
   }

@@ -3,7 +3,7 @@
 _quoin() {
   local word="${COMP_WORDS[COMP_CWORD]}" previous="${COMP_WORDS[COMP_CWORD - 1]}"
   local commands="union intersection difference xor csg info check repair convert view classify section interfere \
-hull minkowski erode decompose gaussian-map distance width homology persistence assembly arrange overlay locate polygon envelope"
+hull minkowski erode decompose gaussian-map distance width homology persistence delaunay voronoi assembly arrange overlay locate polygon envelope"
   local common="--json --threads --timeout --seed --weld -q --quiet -v --verbose -h --help"
   local makes="-o --output --format --accept-rounding"
   local draws="-o --output --format --labels"
@@ -23,6 +23,7 @@ hull minkowski erode decompose gaussian-map distance width homology persistence 
       case "${COMP_WORDS[1]}" in
         arrange | overlay | locate | gaussian-map) formats="svg html" ;;
         assembly) formats="json html" ;;
+        delaunay | voronoi) formats="vtk ply obj off" ;;
         polygon) formats="wkt geojson dxf svg html" ;;
       esac
       mapfile -t COMPREPLY < <(compgen -W "$formats" -- "$word")
@@ -32,7 +33,12 @@ hull minkowski erode decompose gaussian-map distance width homology persistence 
       mapfile -t COMPREPLY < <(compgen -W "even-odd nonzero positive" -- "$word")
       return
       ;;
-    --ball | --within | --translate | --direction | --prime | --threads | --timeout | --seed | --weld | --point | --line | --plane | --flatten | --distance | --precision | --base | --limit) return ;;
+    --input-format)
+      mapfile -t COMPREPLY < <(compgen -W "xyz pts csv ply obj off pcd" -- "$word")
+      return
+      ;;
+    --plane) [[ ${COMP_WORDS[1]} == section ]] && return ;;
+    --memory | --ball | --within | --translate | --direction | --prime | --threads | --timeout | --seed | --weld | --point | --line | --flatten | --distance | --precision | --base | --limit) return ;;
   esac
   if [[ $word == -* ]]; then
     local options="$common"
@@ -42,6 +48,8 @@ hull minkowski erode decompose gaussian-map distance width homology persistence 
       gaussian-map) options+=" $draws --cube" ;;
       homology) options+=" --prime" ;;
       persistence) options+=" --prime --barcode -o --output" ;;
+      delaunay) options+=" -o --output --format --input-format --plane --memory --weighted --check" ;;
+      voronoi) options+=" -o --output --format --input-format --plane --memory --cells --exact" ;;
       assembly)
         options+=" -o --output --format --sequence --sequence-only --infinitesimal --direction --one-part --base --prune --limit"
         ;;

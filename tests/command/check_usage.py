@@ -18,8 +18,10 @@ COMMANDS = {"union": ["a.off", "b.off"], "intersection": ["a.off", "b.off"], "di
             "interfere": ["a.off", "b.off"], "hull": ["a.off", "b.off"], "minkowski": ["a.off", "b.off"],
             "erode": ["a.off", "b.off"], "decompose": ["a.off", "-o", "p.off"],
             "distance": ["a.off", "b.off"], "width": ["a.off"], "gaussian-map": ["a.off"], "assembly": ["a.off", "far.off"],
-            "homology": ["a.off"], "persistence": ["a.txt"]}
+            "homology": ["a.off"], "persistence": ["a.txt"],
+            "delaunay": ["a.off"], "voronoi": ["a.off"]}
 DRAWERS = ("section", "persistence")  # which write svg alone
+TRIANGULATORS = ("delaunay", "voronoi")  # which write vtk and some meshes
 MAKERS = ("union", "intersection", "difference", "xor", "csg", "repair", "convert", "view", "hull", "minkowski", "erode")
 
 
@@ -83,7 +85,7 @@ class Usage(CommandTest):
 class Codes(CommandTest):
     def test_bad_geometry(self):
         for command, words in COMMANDS.items():
-            if command not in ("hull", "homology"):  # which take what bounds no solid
+            if command not in ("hull", "homology", *TRIANGULATORS):  # which take what bounds no solid
                 self.run_quoin(command, *with_file(words, "open.off"), code=REFUSED)
             self.run_quoin(command, *with_file(words, "rubbish.off"), code=REFUSED)
 
@@ -100,17 +102,23 @@ class Codes(CommandTest):
                 self.run_quoin(command, *COMMANDS[command], "-o", name, code=FILE_TROUBLE)
         for command in DRAWERS:
             self.run_quoin(command, *COMMANDS[command], "-o", "no/such.svg", code=FILE_TROUBLE)
+        for command in TRIANGULATORS:
+            for name in ("no/such.vtk", "no/such.ply"):
+                self.run_quoin(command, *COMMANDS[command], "-o", name, code=FILE_TROUBLE)
 
     @unittest.skipUnless(os.path.exists("/dev/full"), "there is no /dev/full")
     def test_full_devices(self):
-        for ending in ("off", "obj", "stl", "ply", "qsolid", "svg"):
+        for ending in ("off", "obj", "stl", "ply", "qsolid", "svg", "vtk"):
             (self.folder / f"full.{ending}").symlink_to("/dev/full")
         for command, words in COMMANDS.items():
-            endings = ["svg"] if command in DRAWERS else ["off", "obj", "stl", "ply", "qsolid"]
-            if command in (*MAKERS, *DRAWERS):
+            endings = (["svg"] if command in DRAWERS else ["off", "obj", "ply", "vtk"] if command in TRIANGULATORS
+                       else ["off", "obj", "stl", "ply", "qsolid"])
+            if command in (*MAKERS, *DRAWERS, *TRIANGULATORS):
+                if command == "voronoi":  # all cells are infinite, and an OBJ of none is empty
+                    endings.remove("obj")
                 for ending in endings:
                     self.run_quoin(command, *words, "-o", f"full.{ending}", code=FILE_TROUBLE)
-            for more in ([], ["--json"], *([["-o", "-"]] if command in (*MAKERS, *DRAWERS) else [])):
+            for more in ([], ["--json"], *([["-o", "-"]] if command in (*MAKERS, *DRAWERS, *TRIANGULATORS) else [])):
                 with open("/dev/full", "w", encoding="ascii") as full:
                     done = subprocess.run([self.quoin, command, *words, *more], stdout=full, stderr=subprocess.PIPE,
                                           cwd=self.folder, timeout=60, check=False)

@@ -1,0 +1,344 @@
+# SPDX-License-Identifier: Apache-2.0
+"""delaunay and voronoi.
+
+    check_points.py QUOIN
+"""
+import itertools
+import random
+import signal
+import struct
+import subprocess
+import time
+from fractions import Fraction
+
+from command import OUT_OF_TIME, REFUSED, USAGE, CommandTest, main
+
+CUBE = [(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)]
+
+
+def text_of(points, separator=" "):
+    return "".join(separator.join(map(repr, p)) + "\n" for p in points)
+
+
+def cloud(count, dimension, seed=1, grid=None):
+    source = random.Random(seed)
+    number = (lambda: source.randrange(grid)) if grid else source.random
+    return [tuple(number() for _ in range(dimension)) for _ in range(count)]
+
+
+def determinant(rows):
+    if len(rows) == 1:
+        return rows[0][0]
+    return sum((-1) ** k * rows[0][k] * determinant([r[:k] + r[k + 1:] for r in rows[1:]]) for k in range(len(rows)))
+
+
+def side(simplex, q):
+    """Above zero where q is inside the sphere of the simplex, in rationals."""
+    q = [Fraction(c) for c in q]
+    lifted = []
+    for p in simplex:
+        d = [Fraction(a) - b for a, b in zip(p, q)]
+        lifted.append(d + [sum(c * c for c in d)])
+    turn = determinant([[Fraction(a) - Fraction(b) for a, b in zip(p, simplex[0])] for p in simplex[1:]])
+    sign = 1 if turn > 0 else -1
+    return sign * determinant(lifted) * (1 if len(q) == 2 else -1)
+
+
+def volume(simplex):
+    return abs(determinant([[Fraction(a) - Fraction(b) for a, b in zip(p, simplex[0])] for p in simplex[1:]]))
+
+
+def read_vtk(text):
+    """Points, cells with their types, and the arrays by name."""
+    words = text.split("\n", 4)[4].split()
+    at = 0
+    count = int(words[1])
+    assert words[0] == "POINTS" and words[2] == "double"
+    numbers = [float(w) for w in words[3:3 + 3 * count]]
+    points = list(zip(numbers[0::3], numbers[1::3], numbers[2::3]))
+    at = 3 + 3 * count
+    assert words[at] == "CELLS"
+    count, size = int(words[at + 1]), int(words[at + 2])
+    raw = [int(w) for w in words[at + 3:at + 3 + size]]
+    cells, i = [], 0
+    for _ in range(count):
+        cells.append(raw[i + 1:i + 1 + raw[i]])
+        i += 1 + raw[i]
+    assert i == size
+    at += 3 + size
+    assert words[at] == "CELL_TYPES" and int(words[at + 1]) == count
+    types = [int(w) for w in words[at + 2:at + 2 + count]]
+    at += 2 + count
+    arrays = {}
+    length = 0
+    while at < len(words):
+        if words[at] in ("POINT_DATA", "CELL_DATA"):
+            length = int(words[at + 1])
+            assert length == (len(points) if words[at] == "POINT_DATA" else count)
+            at += 2
+        elif words[at] == "SCALARS":
+            arrays[words[at + 1]] = [float(w) for w in words[at + 6:at + 6 + length]]
+            at += 6 + length
+        elif words[at] in ("NORMALS", "COLOR_SCALARS"):
+            width = 3 if words[at] == "NORMALS" else 4
+            numbers = [float(w) for w in words[at + 3:at + 3 + width * length]]
+            arrays[words[at + 1]] = [tuple(numbers[k:k + width]) for k in range(0, len(numbers), width)]
+            at += 3 + width * length
+        else:
+            raise AssertionError(words[at])
+    return points, list(zip(types, cells)), arrays
+
+
+def cell_of_plane(site, others):
+    """The area of what is nearest to the site within a large square, and whether it keeps off the square's sides."""
+    far = Fraction(10) ** 9
+    polygon = [(-far, -far), (far, -far), (far, far), (-far, far)]
+    for o in others:
+        a, b = Fraction(o[0]) - Fraction(site[0]), Fraction(o[1]) - Fraction(site[1])
+        c = (Fraction(o[0]) ** 2 + Fraction(o[1]) ** 2 - Fraction(site[0]) ** 2 - Fraction(site[1]) ** 2) / 2
+        heights = [a * x + b * y - c for x, y in polygon]
+        clipped = []
+        for k, (p, h) in enumerate(zip(polygon, heights)):
+            q, g = polygon[k - 1], heights[k - 1]
+            if (h > 0) != (g > 0) and h != 0 and g != 0:
+                t = g / (g - h)
+                clipped.append((q[0] + t * (p[0] - q[0]), q[1] + t * (p[1] - q[1])))
+            if h <= 0:
+                clipped.append(p)
+        polygon = clipped
+    area = sum(polygon[k - 1][0] * p[1] - polygon[k - 1][1] * p[0] for k, p in enumerate(polygon)) / 2
+    return area, all(abs(c) < far for p in polygon for c in p)
+
+
+class Delaunay(CommandTest):
+    def test_cells_are_those_of_empty_spheres(self):
+        for points in (cloud(25, 3), cloud(30, 2), cloud(40, 3, grid=3), cloud(40, 2, grid=4), CUBE):
+            self.write("p.xyz", text_of(points))
+            report = self.json_of("delaunay", "p.xyz", "--check", "-o", "p.vtk")
+            vertices, cells, arrays = read_vtk(self.read("p.vtk").decode())
+            d = len(points[0])
+            distinct = sorted(set(points))
+            self.assertEqual((report["points"], report["distinct"], report["dimension"], report["check"]),
+                             (len(points), len(distinct), d, "passed"))
+            self.assertEqual(sorted(v[:d] for v in vertices), [tuple(map(float, p)) for p in distinct])
+            self.assertEqual([points[int(i)] for i in arrays["input"]], [v[:d] for v in vertices])
+            self.assertEqual(sum(arrays["multiplicity"]), len(points))
+            self.assertEqual((len(cells), {t for t, _ in cells}), (report["cells"], {10 if d == 3 else 5}))
+            self.assertEqual(len(set(arrays["delone_cell"])), report["delone_cells"])
+            simplices = [[vertices[v][:d] for v in cell] for _, cell in cells]
+            for simplex in simplices:
+                self.assertTrue(all(side(simplex, q) <= 0 for q in distinct))
+            whole = sum(volume(s) for s in simplices)
+            if points is CUBE:
+                self.assertEqual((whole, report["delone_cells"], report["hull_vertices"]), (6, 1, 8))
+
+    def test_faces_in_meshes(self):
+        points = CUBE + [(0.5, 0.5, 0.5)]
+        for ending in ("ply", "obj", "off"):
+            self.run_quoin("delaunay", "-", "-o", f"h.{ending}", stdin=text_of(points))
+            self.assertEqual(self.info(f"h.{ending}")["volume"], 1, ending)
+            self.assertEqual(self.info(f"h.{ending}")["vertices"], 8, ending)
+        done = self.run_quoin("delaunay", "-", "-o", "-", "--format", "off", stdin="0 0\n1 0\n0 1\n1 1\n.5 .25\n")
+        self.assertTrue(done.stdout.startswith("OFF\n5 4 0\n"))
+        self.assertIn("delone cells", done.stderr)
+        done = self.run_quoin("delaunay", "-", "-o", "-", stdin="0 0\n1 0\n0 1\n")
+        self.assertTrue(done.stdout.startswith("# vtk DataFile Version 3.0\n"))
+
+    def test_the_plane_of_three_columns(self):
+        points = [(0, 0, 5), (2, 0, 6), (0, 2, 7), (2, 2, 8), (1, 1, 9), (1, 1, 10)]
+        self.write("t.xyz", text_of(points))
+        report = self.json_of("delaunay", "t.xyz", "--plane", "-o", "t.vtk")
+        self.assertEqual((report["coordinates"], report["distinct"], report["dimension"], report["cells"],
+                          report["largest_multiplicity"]), (2, 5, 2, 4, 2))
+        self.assertIn("third coordinate", report["warnings"][0])
+        vertices, _, _ = read_vtk(self.read("t.vtk").decode())
+        self.assertEqual(sorted(v[2] for v in vertices), [5, 6, 7, 8, 9])
+
+    def test_flat_clouds(self):
+        for text, dimension, cells, vtk in (("1 2 3\n1 2 3\n", 0, 1, 1), ("0 0 0\n3 3 3\n1 1 1\n", 1, 2, 3),
+                                            ("0 0 1\n1 0 1\n0 1 1\n1 1 1\n", 2, 2, 5), ("7 7\n", 0, 1, 1),
+                                            ("0 0\n2 2\n5 5\n1 1\n", 1, 3, 3)):
+            report = self.json_of("delaunay", "-", "--check", "-o", "f.vtk", stdin=text)
+            self.assertEqual((report["dimension"], report["cells"]), (dimension, cells), text)
+            self.assertEqual(len(report["warnings"]), 1)
+            self.assertEqual({t for t, _ in read_vtk(self.read("f.vtk").decode())[1]}, {vtk})
+        self.assertEqual(self.json_of("delaunay", "-", stdin="0 0 1\n1 0 1\n0 1 1\n1 1 1\n")["delone_cells"], 1)
+
+    def test_the_order_of_points_does_not_matter(self):
+        points = cloud(60, 3, grid=4)
+        for options in ([], ["--plane"]):
+            expected = None
+            for seed in range(3):
+                random.Random(seed).shuffle(points)
+                report = self.json_of("delaunay", "-", *options, "-o", "s.vtk", stdin=text_of(points))
+                vertices, cells, _ = read_vtk(self.read("s.vtk").decode())
+                found = (report["cells"], report["delone_cells"],
+                         sorted(sorted(vertices[v][:2 if options else 3] for v in cell) for _, cell in cells))
+                self.assertEqual(found, expected or found)
+                expected = found
+
+    def test_weights(self):
+        points = cloud(30, 3, seed=3)
+        plain = self.json_of("delaunay", "-", stdin=text_of(points))
+        same = self.json_of("delaunay", "-", "--weighted", stdin=text_of([p + (0.25,) for p in points]))
+        self.assertEqual((same["cells"], same["hidden"], same["vertices"]), (plain["cells"], 0, 30))
+        heavy = [(0, 0, 0), (4, 0, 0), (0, 4, 0), (4, 4, 9)]
+        report = self.json_of("delaunay", "-", "--weighted", "-o", "w.vtk", stdin=text_of(heavy + [(1, 1, -9)]))
+        self.assertEqual((report["coordinates"], report["hidden"], report["vertices"]), (2, 1, 4))
+        self.assertEqual(sorted(read_vtk(self.read("w.vtk").decode())[2]["weight"]), [0, 0, 0, 9])
+        solid = [p + (0,) for p in CUBE] + [(0.5, 0.5, 0.5, 1), (0.5, 0.5, 0.5, 0), (0.75, 0.75, 0.75, -2)]
+        report = self.json_of("delaunay", "-", "--weighted", "-o", "w.vtk", stdin=text_of(solid))
+        self.assertEqual((report["vertices"], report["hidden"], report["distinct"]), (9, 2, 10))
+        self.run_quoin("delaunay", "missing.xyz", "--weighted", "--check", code=USAGE)
+        self.run_quoin("delaunay", "-", "--weighted", stdin="1 2\n3 4\n", code=REFUSED)
+
+    def test_attributes_go_along(self):
+        self.write("c.csv", "x,y,z,r,g,b,nx,ny,nz,intensity\n" + "".join(
+            f"{x},{y},{z},{255 * x},0,51,0,0,1,{x + y}\n" for x, y, z in CUBE))
+        self.run_quoin("delaunay", "c.csv", "-o", "c.vtk")
+        vertices, _, arrays = read_vtk(self.read("c.vtk").decode())
+        for vertex, color, normal, intensity in zip(vertices, arrays["color"], arrays["normal"], arrays["intensity"]):
+            self.assertEqual((color, normal, intensity), ((vertex[0], 0, 0.2, 1), (0, 0, 1), vertex[0] + vertex[1]))
+
+
+class Formats(CommandTest):
+    def test_every_format_gives_the_same(self):
+        self.write("c.xyz", text_of(CUBE))
+        self.write("c.txt", text_of(CUBE, "\t"))
+        self.write("c.csv", "X;Y;Z\n" + text_of(CUBE, ";"))
+        self.write("c.pts", "8\n" + text_of(CUBE))
+        self.write("c.obj", "".join("v " + line + "\n" for line in text_of(CUBE).splitlines()))
+        self.write("c.off", "OFF\n8 0 0\n" + text_of(CUBE))
+        header = ("ply\nformat binary_little_endian 1.0\nelement vertex 8\nproperty float x\nproperty float y\n"
+                  "property float z\nend_header\n")
+        body = b"".join(struct.pack("<3f", *p) for p in CUBE)
+        (self.folder / "c.ply").write_bytes(header.encode() + body)
+        header = ("VERSION .7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 9\nHEIGHT 1\n"
+                  "VIEWPOINT 0 0 0 1 0 0 0\nPOINTS 9\nDATA binary\n")
+        (self.folder / "c.pcd").write_bytes(header.encode() + body + struct.pack("<3f", 1, float("nan"), 2))
+        for ending in ("xyz", "txt", "csv", "pts", "obj", "off", "ply", "pcd"):
+            report = self.json_of("delaunay", f"c.{ending}")
+            self.assertEqual((report["points"], report["delone_cells"]), (8, 1), ending)
+            self.assertEqual(report["format"], "xyz" if ending == "txt" else ending)
+            bytes_of = self.read(f"c.{ending}")
+            (self.folder / "nameless").write_bytes(bytes_of)
+            self.assertEqual(self.json_of("delaunay", "nameless")["points"], 8, ending)
+            again = self.json_of("voronoi", f"c.{ending}", "--input-format", report["format"].upper())
+            self.assertEqual(again["vertices"], 1)
+        report = self.json_of("delaunay", "c.pcd")
+        self.assertEqual(report["missing"], 1)
+        self.assertIn("1 points are missing", report["warnings"][0])
+
+    def test_bad_files_are_refused_with_their_place(self):
+        for text, where in (("1 2 3\n4 5\n", "standard input:2: 2 columns"), ("1 2\n3 nan\n", ":2: 'nan'"), ("", "empty"),
+                            ("1 2 inf\n", ":1: 'inf'"), ("x,y\n1,\n", ":2:"), ("9\n1 2 3\n", ":1: a count of '9'"),
+                            ("2\n1 2 3\n", ":2: the file ends"),
+                            ("OFF\n9 0 0\n0 0 0\n", ":3:"), ("<html>\n", "neither the content")):
+            for command in ("delaunay", "voronoi"):
+                self.assertIn(where, self.run_quoin(command, "-", stdin=text, code=REFUSED).stderr)
+
+    def test_memory_and_mistakes(self):
+        self.write("c.xyz", text_of(CUBE))
+        for command in ("delaunay", "voronoi"):
+            done = self.run_quoin(command, "c.xyz", "--memory", "0.001", code=REFUSED)
+            self.assertRegex(done.stderr, r"8 points need about \d+ MB of memory, more than --memory allows")
+            self.run_quoin(command, "c.xyz", "--memory", "100")
+            for mistake in (["--memory", "0"], ["--memory", "x"], ["--input-format", "las"], ["-o", "x.stl"],
+                            ["-o", "x.html"], ["-o", "x.qsolid"], ["-o", "x"], ["--format", "vtk"],
+                            ["-o", "-", "--format", "stl"], ["-o", "x.vtk", "--format", "vtk"]):
+                self.run_quoin(command, "missing.xyz", *mistake, code=USAGE)
+            self.assertIn("not welded", self.json_of(command, "c.xyz", "--weld", "1")["warnings"][0])
+        self.run_quoin("voronoi", "missing.xyz", "--exact", code=USAGE)
+
+    def test_interruption(self):
+        self.write("large.xyz", text_of(cloud(200000, 3)))
+        self.write("less.xyz", text_of(cloud(20000, 3)))
+        for words, stage in ((["delaunay", "large.xyz"], b"reading"), (["voronoi", "less.xyz", "--cells"], b"corners")):
+            with subprocess.Popen([self.quoin, *words, "-v"], stderr=subprocess.PIPE, stdout=subprocess.DEVNULL,
+                                  cwd=self.folder) as process:
+                while stage not in process.stderr.readline():
+                    pass
+                start = time.monotonic()
+                process.send_signal(signal.SIGINT)
+                self.assertIn(b"cancelled", process.stderr.read())
+                self.assertLess(time.monotonic() - start, 2)  # of a loaded machine, perhaps with sanitizers
+                self.assertEqual(process.wait(timeout=60), OUT_OF_TIME)
+
+
+class Voronoi(CommandTest):
+    def test_areas_of_the_plane(self):
+        for points in (cloud(25, 2), cloud(40, 2, grid=5)):
+            sites = sorted(set(points))
+            report = self.json_of("voronoi", "-", "--cells", "--exact", stdin=text_of(points))
+            self.assertEqual((report["distinct"], len(report["cells"])), (len(sites), len(sites)))
+            for cell in report["cells"]:
+                site = tuple(cell["point"])
+                self.assertEqual(points[cell["input"]], site)
+                self.assertEqual([i for i, p in enumerate(points) if p == site], cell.get("inputs", [cell["input"]]))
+                area, bounded = cell_of_plane(site, [s for s in sites if s != site])
+                self.assertEqual(cell["bounded"], bounded)
+                if bounded:
+                    self.assertEqual(Fraction(cell["exact_area"]), area)
+                    self.assertEqual(cell["area"], float(area))
+                else:
+                    self.assertIsNone(cell["area"])
+            self.assertEqual(report["bounded_cells"], sum(c["bounded"] for c in report["cells"]))
+            self.assertEqual(report["distinct"] - report["edges"] + report["vertices"], 1)
+            pairs = {(c["input"], n) for c in report["cells"] for n in c["neighbours"]}
+            self.assertEqual(len(pairs), 2 * report["edges"])
+            self.assertEqual(pairs, {(b, a) for a, b in pairs})
+
+    def test_volumes_of_lattices(self):
+        points = list(itertools.product(range(4), repeat=3))
+        report = self.json_of("voronoi", "-", "--cells", "-o", "v.vtk", "-o", "v.obj", stdin=text_of(points))
+        self.assertEqual((report["vertices"], report["edges"], report["facets"]), (27, 108, 144))
+        for cell in report["cells"]:
+            inner = all(c in (1, 2) for c in cell["point"])
+            self.assertEqual((cell["bounded"], cell["volume"], cell["exact_volume"]),
+                             (True, 1, "1") if inner else (False, None, None))
+            near = [i for i, p in enumerate(points) if sum(abs(a - b) for a, b in zip(p, cell["point"])) == 1]
+            self.assertEqual(cell["neighbours"], near)
+        vertices, cells, arrays = read_vtk(self.read("v.vtk").decode())
+        self.assertEqual((len(vertices), len(cells), arrays["volume"]), (27, 8, [1] * 8))
+        for (kind, numbers), site in zip(cells, arrays["input"]):
+            self.assertEqual((kind, numbers[0], len(numbers)), (42, 6, 31))
+            corners = {vertices[v] for k in range(6) for v in numbers[2 + 5 * k:6 + 5 * k]}
+            self.assertEqual(corners, {tuple(c + e for c, e in zip(points[int(site)], offset))
+                                       for offset in itertools.product((-0.5, 0.5), repeat=3)})
+        self.assertEqual(sum(line.startswith("f ") for line in self.read("v.obj").decode().splitlines()), 54)
+        self.assertIn("56 cells are infinite", report["warnings"][0])
+
+    def test_polygons(self):
+        self.write("g.csv", "".join(f"{x},{y}\n" for x in range(4) for y in range(4)))
+        report = self.json_of("voronoi", "g.csv", "-o", "g.off", "-o", "g.vtk")
+        self.assertTrue(self.read("g.off").startswith(b"OFF\n9 4 0\n"))
+        self.assertEqual({t for t, _ in read_vtk(self.read("g.vtk").decode())[1]}, {7})
+        self.assertNotIn("cells", report)
+        text = self.run_quoin("voronoi", "g.csv", "--cells", "-q").stdout
+        self.assertEqual(text, "")
+        self.assertIn("cell 5 of [1.0,1.0]: 1.0 = 1, next to [1,4,6,9]\n", self.run_quoin("voronoi", "g.csv", "--cells").stdout)
+
+    def test_degenerate_clouds(self):
+        for text, dimension, faces in (("1 2 3\n", 0, (0, 0, 0)), ("0 0 0\n1 1 1\n2 2 2\n", 1, (0, 0, 2)),
+                                       ("0 0 1\n1 0 1\n0 1 1\n1 1 1\n", 2, (0, 1, 4))):
+            report = self.json_of("voronoi", "-", "--cells", "-o", "d.vtk", stdin=text)
+            self.assertEqual((report["dimension"], report["bounded_cells"]), (dimension, 0))
+            self.assertEqual((report["vertices"], report["edges"], report["facets"]), faces)
+            self.assertEqual(read_vtk(self.read("d.vtk").decode())[:2], ([], []))
+        report = self.json_of("voronoi", "-", "--cells", stdin="0 0\n2 2\n1 1\n0 0\n")
+        self.assertEqual([c["neighbours"] for c in report["cells"]], [[2], [2], [0, 1]])
+        self.assertEqual((report["edges"], report["vertices"]), (2, 0))
+
+    def test_long_fractions_only_if_asked_for(self):
+        points = text_of(cloud(60, 3, seed=9))
+        short = self.json_of("voronoi", "-", "--cells", stdin=points)
+        exact = self.json_of("voronoi", "-", "--cells", "--exact", stdin=points)
+        for a, b in zip(short["cells"], exact["cells"]):
+            self.assertEqual((a["volume"], a["exact_volume"]), (b["volume"], None))
+            if b["bounded"]:
+                self.assertEqual(float(Fraction(b["exact_volume"])), b["volume"])
+        self.assertGreater(exact["bounded_cells"], 10)
+
+
+if __name__ == "__main__":
+    main()
