@@ -174,7 +174,9 @@ void PointColumns::add(std::span<const double> row) {
     } else if (field == alpha) {
       opacity = value;
     } else if (field == packed) {
-      const auto bits = static_cast<std::uint32_t>(value);
+      const bool fits = value >= 0 && value <= 0xFFFFFFFFU;
+      if (!fits) ++not_finite_;
+      const auto bits = fits ? static_cast<std::uint32_t>(value) : 0U;
       color = {static_cast<double>(bits >> 16 & 255), static_cast<double>(bits >> 8 & 255),
                static_cast<double>(bits & 255)};
     } else if (field == intensity) {
@@ -243,8 +245,9 @@ void PointColumns::finish(PointFile& file) {
   finish_triples(triples_[0], "behind the coordinates", file);
   finish_triples(triples_[1], "at the end", file);
   if (not_finite_ > 0) {
-    file.report.warnings.push_back(std::to_string(not_finite_) +
-                                   " numbers of normals, colours or intensities are not finite: taken for 0");
+    file.report.warnings.push_back(
+        std::to_string(not_finite_) +
+        " numbers of normals, colours or intensities are not finite or too large: taken for 0");
   }
 }
 

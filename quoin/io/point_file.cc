@@ -40,10 +40,15 @@ std::optional<PointFormat> format_of_beginning(std::string_view bytes, const std
     if (bytes.starts_with(begin))
       throw InputError(name + ": " + what + " is not read (points: XYZ, PTS, CSV, PLY, OBJ, OFF, PCD)");
   }
-  for (const std::string_view statement : {"v", "vn", "vt", "o", "g", "mtllib", "usemtl"}) {
-    if (word == statement) return obj;
-  }
   return std::nullopt;
+}
+
+bool begins_like_obj(std::string_view bytes) {
+  io::TextLines lines(bytes, "", '#');
+  if (!lines.next()) return false;
+  const std::string_view word = lines.words()[0];
+  return std::ranges::any_of(std::array<std::string_view, 7>{"v", "vn", "vt", "o", "g", "mtllib", "usemtl"},
+                             [&](std::string_view statement) { return word == statement; });
 }
 
 PointFormat format_of(std::string_view bytes, const std::string& name, const PointReadOptions& options) {
@@ -52,6 +57,7 @@ PointFormat format_of(std::string_view bytes, const std::string& name, const Poi
   const auto ending = format_of_ending(name);
   const bool is_table = ending == xyz || ending == csv || ending == pts;
   if (ending && !is_table) return *ending;
+  if (!ending && begins_like_obj(bytes)) return obj;
   if (const auto table = io::table_format(bytes)) return is_table && *table != pts ? *ending : *table;
   if (ending) return *ending;
   throw InputError(name +

@@ -72,6 +72,13 @@ TEST(PointFile, TablesOfTwoAndThreeColumns) {
   EXPECT_EQ(plane.points, (std::vector<Point3>{{1, 2, 0}, {3, 4, 0}}));
 }
 
+TEST(PointFile, NamesMayBeThoseOfStatementsAndTabsMayStandTwice) {
+  EXPECT_EQ(read("g x y\n1 2 3\n", "a.txt").points, (std::vector<Point3>{{2, 3, 0}}));
+  EXPECT_EQ(read("1\t\t2\n", "a.xyz").points, (std::vector<Point3>{{1, 2, 0}}));
+  EXPECT_EQ(read("x\tname\ty\n1\t\t2\n", "a.xyz").points, (std::vector<Point3>{{1, 2, 0}}));
+  EXPECT_THROW(read("1\t\t2\n", "a.csv"), InputError);
+}
+
 TEST(PointFile, AwkwardDoubles) {
   const PointFile file = read("5e-324 1.7976931348623157e308 0.30000000000000004\n-0 1e-400 +1\n", "a.xyz");
   EXPECT_EQ(file.points[0], (Point3{5e-324, 1.7976931348623157e308, 0.1 + 0.2}));
@@ -131,6 +138,7 @@ TEST(PointFile, Weights) {
 
 TEST(PointFile, VerticesOfMeshes) {
   const PointFile obj = read("o a\nv 1 2 3 1 0.5 0\nvn 0 0 1\nv 4 5 6 0 0 0\nf 1//1 2//1 1\nusemtl x\n", "a.obj");
+  EXPECT_EQ(read("# by hand\n\nv 1 2 3\n", "a").report.format, PointFormat::obj);
   EXPECT_EQ(obj.points, (std::vector<Point3>{{1, 2, 3}, {4, 5, 6}}));
   EXPECT_EQ(obj.colors, (std::vector<Color>{{255, 128, 0}, {0, 0, 0}}));
   const PointFile off = read("CNOFF\n2 1 0\n1 2 3 0 0 1 255 0 0 128\n4 5 6 0 1 0 1 2 3 4\n2 0 1\n", "a.off");

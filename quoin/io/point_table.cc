@@ -42,6 +42,10 @@ class TableReader {
     separator_ = separator_of(lines_.text());
     lines_.split(separator_, fields_);
     const bool has_header = name_columns(fields_);
+    if (separator_ == Separator::tab && !has_header && file_.report.format != PointFormat::csv) {
+      separator_ = Separator::blank;  // of numbers alone, two tabs have nothing between them
+      lines_.split(separator_, fields_);
+    }
     begin_columns(has_header);
     if (has_header && !lines_.next()) throw InputError(name_ + ": there are no points");
     do {

@@ -305,7 +305,7 @@ class Voronoi(CommandTest):
             corners = {vertices[v] for k in range(6) for v in numbers[2 + 5 * k:6 + 5 * k]}
             self.assertEqual(corners, {tuple(c + e for c, e in zip(points[int(site)], offset))
                                        for offset in itertools.product((-0.5, 0.5), repeat=3)})
-        self.assertEqual(sum(line.startswith("f ") for line in self.read("v.obj").decode().splitlines()), 54)
+        self.assertEqual(sum(line.startswith("f ") for line in self.read("v.obj").decode().splitlines()), 36)
         self.assertIn("56 cells are infinite", report["warnings"][0])
 
     def test_polygons(self):
