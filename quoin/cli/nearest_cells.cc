@@ -21,16 +21,16 @@ class Corners {
  public:
   explicit Corners(std::size_t count) : number_(count, none) {}
 
-  /// The place among `points`, where `make()` goes if the corner is not there.
+  /// The place among `points`, where `make()` goes if the corner is not there. Begins anew where there are none.
   template <class Make>
   std::uint32_t place(std::uint32_t corner, std::vector<Point3>& points, const Make& make) {
+    if (points.empty()) std::ranges::fill(number_, none);
     if (number_[corner] == none) {
       number_[corner] = static_cast<std::uint32_t>(points.size());
       points.push_back(make());
     }
     return number_[corner];
   }
-  void forget() { std::ranges::fill(number_, none); }
 
  private:
   std::vector<std::uint32_t> number_;
@@ -67,7 +67,6 @@ class PlaneCells : public NearestCells {
 
   Mesh mesh(const Context& context) override {
     Mesh mesh;
-    corners_.forget();
     for (std::uint32_t site = 0; site < site_count(); ++site) {
       context.poll();
       if (is_bounded(site)) mesh.add_face(polygon(site, mesh.vertices));
@@ -134,7 +133,6 @@ class SpaceCells : public NearestCells {
 
   Mesh mesh(const Context& context) override {
     Mesh mesh;
-    corners_.forget();
     for (std::uint32_t site = 0; voronoi_ && site < site_count(); ++site) {
       context.poll();
       for (const VoronoiFacet& f : facets(site)) {

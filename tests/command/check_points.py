@@ -290,7 +290,8 @@ class Voronoi(CommandTest):
 
     def test_volumes_of_lattices(self):
         points = list(itertools.product(range(4), repeat=3))
-        report = self.json_of("voronoi", "-", "--cells", "-o", "v.vtk", "-o", "v.obj", stdin=text_of(points))
+        report = self.json_of("voronoi", "-", "--cells", "-o", "v.vtk", "-o", "v.obj", "-o", "w.vtk",
+                              stdin=text_of(points))
         self.assertEqual((report["vertices"], report["edges"], report["facets"]), (27, 108, 144))
         for cell in report["cells"]:
             inner = all(c in (1, 2) for c in cell["point"])
@@ -298,6 +299,7 @@ class Voronoi(CommandTest):
                              (True, 1, "1") if inner else (False, None, None))
             near = [i for i, p in enumerate(points) if sum(abs(a - b) for a, b in zip(p, cell["point"])) == 1]
             self.assertEqual(cell["neighbours"], near)
+        self.assertEqual(self.read("v.vtk"), self.read("w.vtk"))
         vertices, cells, arrays = read_vtk(self.read("v.vtk").decode())
         self.assertEqual((len(vertices), len(cells), arrays["volume"]), (27, 8, [1] * 8))
         for (kind, numbers), site in zip(cells, arrays["input"]):
