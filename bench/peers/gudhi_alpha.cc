@@ -12,30 +12,16 @@
 #include <string>
 #include <vector>
 
+#include "../delaunay_points.h"
 #include "../filtered_simplices.h"
 
 namespace {
 
 using Alpha = Gudhi::alpha_complex::Alpha_complex_3d<Gudhi::alpha_complex::complexity::SAFE, false, false>;
 
-// Close to a torus of radii 3 and 1, by points of a tube whose cross-section is a circle made of random directions.
 std::vector<Alpha::Bare_point_3> torus(std::size_t count) {
-  Random random(3);
-  const auto direction = [&] {
-    for (;;) {
-      const double x = static_cast<double>(random.between(-(1 << 30), 1 << 30)) / (1 << 30);
-      const double y = static_cast<double>(random.between(-(1 << 30), 1 << 30)) / (1 << 30);
-      const double square = x * x + y * y;
-      if (square < 1 && square > 0.01) return std::pair{x / std::sqrt(square), y / std::sqrt(square)};
-    }
-  };
   std::vector<Alpha::Bare_point_3> points;
-  while (points.size() < count) {
-    const auto around = direction();
-    const auto tube = direction();
-    const double r = 3 + tube.first;
-    points.emplace_back(r * around.first, r * around.second, tube.second);
-  }
+  for (const auto& [x, y, z] : delaunay_points::torus(count)) points.emplace_back(x, y, z);
   return points;
 }
 

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+// Times alpha complexes of generated points and prints a line of JSON: seconds of the processor for the triangulation,
+// for its simplices, for their values and order, and for the persistence.
+//
+//   alpha_bench [--rounds N] torus|cube|ball|sphere|scan|lattice|jittered[-grid] COUNT
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <exception>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "delaunay_points.h"
+#include "peak_memory.h"
+#include "quoin/topology/persistence.h"
+#include "quoin/triangulation/alpha_complex.h"
+#include "quoin/triangulation/delaunay3.h"
+
+namespace {
+
+class Stopwatch {
+ public:
+  double lap() {
+    const std::clock_t now = std::clock();
+    const double seconds = static_cast<double>(now - start_) / CLOCKS_PER_SEC;
+    start_ = now;
+    return seconds;
+  }
+
+ private:
+  std::clock_t start_ = std::clock();
+};
+
+quoin::SimplexList cells_of(const quoin::Delaunay3& triangulation) {
+  quoin::SimplexList cells;
+  const auto size = static_cast<std::size_t>(triangulation.dimension()) + 1;
+  for (std::size_t c = 0; c < triangulation.cells().size(); ++c) {
+    if (!triangulation.is_ghost(c)) cells.add({triangulation.cells()[c].vertices.data(), size});
+  }
+  return cells;
+}
+
+void run(const std::string& kind, std::size_t count, int rounds) {
+  std::vector<quoin::Point3> points;
+  for (const auto& [x, y, z] : delaunay_points::make(kind, count)) points.push_back({x, y, z});
+  const long before = resident_kb();
+  const quoin::Context context({.threads = 1});
+  double delaunay = 1e300;
+  double complex = 1e300;
+  double alpha = 1e300;
+  double persistence = 1e300;
+  std::size_t simplices = 0;
+  std::size_t grades = 0;
+  std::vector<std::size_t> pairs;
+  for (int round = 0; round < rounds; ++round) {
+    Stopwatch watch;
+    const quoin::Delaunay3 triangulation(points, context);
+    delaunay = std::min(delaunay, watch.lap());
+    simplices = quoin::SimplicialComplex::closure_of(cells_of(triangulation), context).size();
+    complex = std::min(complex, watch.lap());
+    const quoin::AlphaComplex filtered(triangulation, context);
+    alpha = std::min(alpha, watch.lap());
+    const auto found = quoin::persistence(filtered.filtration(), {}, context);
+    persistence = std::min(persistence, watch.lap());
+    grades = filtered.grade_count();
+    pairs.assign(4, 0);
+    for (const quoin::PersistencePair& pair : found) ++pairs[static_cast<std::size_t>(pair.degree)];
+  }
+  std::printf(
+      "{\"points\": %zu, \"simplices\": %zu, \"grades\": %zu, \"delaunay\": %.3f, \"complex\": %.3f, "
+      "\"values_and_order\": %.3f, \"persistence\": %.3f, \"pairs\": [%zu, %zu, %zu], \"before_kb\": %ld, "
+      "\"peak_kb\": %ld}\n",
+      points.size(), simplices, grades, delaunay, complex, std::max(0.0, alpha - complex), persistence, pairs[0],
+      pairs[1], pairs[2], before, peak_kb());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  int rounds = 1;
+  std::vector<std::string> words;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word == "--rounds" && i + 1 < argc) {
+      rounds = std::atoi(argv[++i]);
+    } else {
+      words.push_back(word);
+    }
+  }
+  try {
+    if (words.size() != 2) throw std::invalid_argument("alpha_bench KIND COUNT");
+    run(words[0], std::strtoull(words[1].c_str(), nullptr, 10), rounds);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quoin/triangulation/alpha_complex.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <utility>
+
+#include "quoin/base/error.h"
+#include "quoin/triangulation/delaunay2.h"
+#include "quoin/triangulation/delaunay3.h"
+#include "quoin/triangulation/exact_ranks.h"
+#include "quoin/triangulation/regular2.h"
+#include "quoin/triangulation/regular3.h"
+
+namespace quoin {
+
+namespace {
+
+constexpr std::size_t poll_interval = 1024;
+constexpr std::uint32_t none = 0xFFFFFFFF;
+
+/// The simplices of full dimension of a triangulation of space.
+template <class Triangulation>
+SimplexList cells_of_space(const Triangulation& triangulation, const Context& context) {
+  SimplexList list;
+  const auto size = static_cast<std::size_t>(triangulation.dimension()) + 1;
+  for (std::size_t c = 0; c < triangulation.cells().size(); ++c) {
+    if (c % poll_interval == 0) context.poll();
+    if (!triangulation.is_ghost(c)) list.add(std::span(triangulation.cells()[c].vertices).first(size));
+  }
+  return list;
+}
+
+template <class Triangulation>
+SimplexList cells_of_plane(const Triangulation& triangulation, const Context& context) {
+  SimplexList list;
+  const std::span<const Vertex2> line = triangulation.line();
+  if (line.size() == 1) list.add(std::array{line[0].value});
+  for (std::size_t i = 1; i < line.size(); ++i) list.add(std::array{line[i - 1].value, line[i].value});
+  const Triangulation2& links = triangulation.links();
+  for (std::uint32_t t = 0; t < links.triangle_count(); ++t) {
+    if (t % poll_interval == 0) context.poll();
+    if (!links.is_infinite(Triangle2(t))) list.add(links.links()[t].corner);
+  }
+  return list;
+}
+
+Point3 in_space(const Point2& p) {
+  return {p.x, p.y, 0};
+}
+
+}  // namespace
+
+AlphaComplex::AlphaComplex(const Delaunay3& triangulation, const Context& context) {
+  build(
+      cells_of_space(triangulation, context), false, [&](std::uint32_t v) { return triangulation.point(v); },
+      [](std::uint32_t) { return 0.0; }, context);
+}
+
+AlphaComplex::AlphaComplex(const Regular3& triangulation, const Context& context) {
+  build(
+      cells_of_space(triangulation, context), true, [&](std::uint32_t v) { return triangulation.point(v); },
+      [&](std::uint32_t v) { return triangulation.weight(v); }, context);
+}
+
+AlphaComplex::AlphaComplex(const Delaunay2& triangulation, const Context& context) {
+  build(
+      cells_of_plane(triangulation, context), false,
+      [&](std::uint32_t v) { return in_space(triangulation.point(Vertex2(v))); }, [](std::uint32_t) { return 0.0; },
+      context);
+}
+
+AlphaComplex::AlphaComplex(const Regular2& triangulation, const Context& context) {
+  build(
+      cells_of_plane(triangulation, context), true,
+      [&](std::uint32_t v) { return in_space(triangulation.point(Vertex2(v)).point); },
+      [&](std::uint32_t v) { return triangulation.point(Vertex2(v)).weight; }, context);
+}
+
+template <class PointOf, class WeightOf>
+void AlphaComplex::build(const SimplexList& cells, bool is_weighted, const PointOf& point, const WeightOf& weight,
+                         const Context& context) {
+  SimplicialComplex& complex = filtration_.complex;
+  complex = SimplicialComplex::closure_of(cells, context);
+  std::vector<Point3> points(complex.count(0));
+  std::vector<double> weights(is_weighted ? points.size() : 0);
+  for (std::uint32_t v = 0; v < points.size(); ++v) {
+    points[v] = point(complex.label(v));
+    if (is_weighted) weights[v] = weight(complex.label(v));
+  }
+  spheres_ = SmallestSpheres(std::move(points), std::move(weights));
+  find_grades(find_places(context), context);
+}
+
+/// Notes where the vertex is, seen from a facet of a simplex of both.
+void AlphaComplex::look_from(std::span<const std::uint32_t> facet, SimplexId of, std::uint32_t vertex) {
+  Place& place = place_[of.dimension][of.index];
+  if (place == Place::attached) return;
+  place = std::max(place, place_of(spheres_.side(facet, vertex)));
+}
+
+/// And the powers of tetrahedra, as these are known by then.
+std::vector<Interval> AlphaComplex::find_places(const Context& context) {
+  const SimplicialComplex& complex = filtration_.complex;
+  for (int k = 0; k <= dimension(); ++k) place_.emplace_back(complex.count(k), Place::empty);
+  std::vector<Interval> powers(complex.count(3));
+  for (std::uint32_t i = 0; i < complex.count(3); ++i) {
+    if (i % poll_interval == 0) context.poll();
+    const auto v = complex.vertices({3, i});
+    const SmallestSpheres::Cell cell = spheres_.cell({v[0], v[1], v[2], v[3]});
+    powers[i] = cell.power;
+    const auto facets = complex.facets({3, i});
+    for (std::size_t j = 0; j < 4; ++j) {
+      Place& place = place_[2][facets[j]];
+      place = std::max(place, place_of(cell.side[j]));
+    }
+  }
+  for (std::uint32_t i = 0; i < complex.count(2); ++i) {
+    if (i % poll_interval == 0) context.poll();
+    const auto v = complex.vertices({2, i});
+    const auto facets = complex.facets({2, i});
+    for (std::size_t j = 0; j < 3; ++j) {
+      look_from(std::array{v[j == 0 ? 1 : 0], v[j == 2 ? 1 : 2]}, {1, facets[j]}, v[j]);
+    }
+  }
+  if (!spheres_.is_weighted()) return powers;
+  for (std::uint32_t i = 0; i < complex.count(1); ++i) {
+    const auto v = complex.vertices({1, i});
+    look_from(v.first(1), {0, v[0]}, v[1]);
+    look_from(v.last(1), {0, v[1]}, v[0]);
+  }
+  return powers;
+}
+
+/// Values of Gabriel simplices are their own; others have the grade of a coface. Without weights those of vertices are
+/// zero, and all others above.
+void AlphaComplex::find_grades(const std::vector<Interval>& cells, const Context& context) {
+  const SimplicialComplex& complex = filtration_.complex;
+  const int lowest = spheres_.is_weighted() ? 0 : 1;
+  std::vector<SimplexId> owners;
+  std::vector<Interval> bounds;
+  for (int k = lowest; k <= dimension(); ++k) {
+    for (std::uint32_t i = 0; i < complex.count(k); ++i) {
+      if (i % poll_interval == 0) context.poll();
+      if (!is_gabriel({k, i})) continue;
+      owners.push_back({k, i});
+      bounds.push_back(k == 3 ? cells[i] : spheres_.power(complex.vertices({k, i})));
+    }
+  }
+  if (owners.size() >= none) throw InputError("an alpha complex of 2^32 simplices or more");
+  const ExactRanks ranks = exact_ranks(
+      bounds, [&](std::uint32_t item) { return spheres_.exact_power(complex.vertices(owners[item])); }, context);
+
+  const bool has_zero = lowest == 1 && complex.count(0) > 0;
+  if (has_zero) {
+    values_.push_back(0);
+    simplex_of_grade_.push_back({0, 0});
+  }
+  values_.insert(values_.end(), ranks.value.begin(), ranks.value.end());
+  for (const std::uint32_t item : ranks.first) simplex_of_grade_.push_back(owners[item]);
+
+  std::vector<std::vector<std::uint32_t>>& grade = filtration_.grade;
+  for (int k = 0; k <= dimension(); ++k) grade.emplace_back(complex.count(k), none);
+  if (has_zero) grade[0].assign(grade[0].size(), 0);
+  for (std::size_t item = 0; item < owners.size(); ++item) {
+    grade[owners[item].dimension][owners[item].index] = ranks.rank[item] + (has_zero ? 1 : 0);
+  }
+  for (int k = dimension(); k > lowest; --k) {
+    context.poll();
+    for (std::uint32_t i = 0; i < complex.count(k); ++i) {
+      for (const std::uint32_t facet : complex.facets({k, i})) {
+        if (!is_gabriel({k - 1, facet})) grade[k - 1][facet] = std::min(grade[k - 1][facet], grade[k][i]);
+      }
+    }
+  }
+}
+
+Rational AlphaComplex::exact_value(std::uint32_t grade) const {
+  return spheres_.exact_power(complex().vertices(simplex_of_grade_[grade])).rational();
+}
+
+std::uint32_t AlphaComplex::grades_up_to(const Rational& value) const {
+  std::uint32_t low = 0;
+  std::uint32_t high = grade_count();
+  while (low < high) {
+    const std::uint32_t middle = low + (high - low) / 2;
+    if (exact_value(middle) <= value) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  return low;
+}
+
+std::uint32_t AlphaComplex::grades_up_to(double value) const {
+  if (std::isnan(value)) throw InputError("the value of an alpha complex is no number");
+  if (std::isinf(value)) return value > 0 ? grade_count() : 0;
+  return grades_up_to(Rational(value));
+}
+
+std::vector<SimplexId> AlphaComplex::order(const Context& context) const {
+  std::vector<std::size_t> next(std::size_t{grade_count()} + 1, 0);
+  for (const auto& grades : filtration_.grade) {
+    for (const std::uint32_t grade : grades) ++next[grade + 1];
+  }
+  for (std::size_t g = 1; g < next.size(); ++g) next[g] += next[g - 1];
+  std::vector<SimplexId> order(complex().size());
+  for (int k = 0; k <= dimension(); ++k) {
+    context.poll();
+    for (std::uint32_t i = 0; i < complex().count(k); ++i) order[next[grade_of({k, i})]++] = {k, i};
+  }
+  return order;
+}
+
+}  // namespace quoin
