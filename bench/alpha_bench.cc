@@ -33,11 +33,11 @@ class Stopwatch {
   std::clock_t start_ = std::clock();
 };
 
-quoin::SimplexList cells_of(const quoin::Delaunay3& triangulation) {
-  quoin::SimplexList cells;
-  const auto size = static_cast<std::size_t>(triangulation.dimension()) + 1;
+std::vector<std::uint32_t> cells_of(const quoin::Delaunay3& triangulation) {
+  std::vector<std::uint32_t> cells;
   for (std::size_t c = 0; c < triangulation.cells().size(); ++c) {
-    if (!triangulation.is_ghost(c)) cells.add({triangulation.cells()[c].vertices.data(), size});
+    const auto& v = triangulation.cells()[c].vertices;
+    if (!triangulation.is_ghost(c)) cells.insert(cells.end(), v.begin(), v.begin() + triangulation.dimension() + 1);
   }
   return cells;
 }
@@ -58,7 +58,8 @@ void run(const std::string& kind, std::size_t count, int rounds) {
     Stopwatch watch;
     const quoin::Delaunay3 triangulation(points, context);
     delaunay = std::min(delaunay, watch.lap());
-    simplices = quoin::SimplicialComplex::closure_of(cells_of(triangulation), context).size();
+    const std::size_t width = static_cast<std::size_t>(triangulation.dimension()) + 1;
+    simplices = quoin::SimplicialComplex::closure_of_cells(cells_of(triangulation), width, context).size();
     complex = std::min(complex, watch.lap());
     const quoin::AlphaComplex filtered(triangulation, context);
     alpha = std::min(alpha, watch.lap());

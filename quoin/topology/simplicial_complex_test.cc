@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <random>
 #include <set>
 
 #include "quoin/base/error.h"
@@ -67,6 +69,45 @@ TEST(SimplicialComplex, HoldsEveryFaceOnceWhateverTheLabels) {
       }
     }
   }
+}
+
+void expect_equal(const SimplicialComplex& a, const SimplicialComplex& b) {
+  ASSERT_EQ(a.dimension(), b.dimension());
+  for (int k = 0; k <= a.dimension(); ++k) {
+    ASSERT_EQ(a.count(k), b.count(k));
+    for (std::uint32_t i = 0; i < a.count(k); ++i) {
+      ASSERT_EQ(a.labels({k, i}), b.labels({k, i}));
+      ASSERT_EQ(a.find(a.vertices({k, i})), (SimplexId{k, i}));
+      if (k == 0) continue;
+      ASSERT_TRUE(std::equal(a.facets({k, i}).begin(), a.facets({k, i}).end(), b.facets({k, i}).begin()));
+    }
+  }
+}
+
+TEST(SimplicialComplex, OfCellsIsThatOfAnyList) {
+  std::mt19937_64 random(4);
+  for (int round = 0; round < test_rounds(300); ++round) {
+    const std::size_t width = 1 + random() % 4;
+    const std::uint64_t labels = round % 5 == 0 ? 0xFFFFFFFFU : 4 + random() % 20;
+    SimplexList list;
+    Row cells;
+    for (std::size_t i = random() % 60; i > 0; --i) {
+      std::set<std::uint32_t> cell;
+      while (cell.size() < width) cell.insert(static_cast<std::uint32_t>(random() % labels));
+      Row row(cell.begin(), cell.end());
+      std::shuffle(row.begin(), row.end(), random);
+      list.add(row);
+      cells.insert(cells.end(), row.begin(), row.end());
+    }
+    expect_equal(SimplicialComplex::closure_of_cells(cells, width, Context()), closure(list));
+  }
+  EXPECT_THROW(SimplicialComplex::closure_of_cells(Row{1, 2, 3}, 2, Context()), InputError);
+  EXPECT_THROW(SimplicialComplex::closure_of_cells(Row{1, 2, 3, 2}, 4, Context()), InputError);
+  EXPECT_THROW(SimplicialComplex::closure_of_cells(Row{1, 2, 3, 4, 5}, 5, Context()), InputError);
+  EXPECT_THROW(SimplicialComplex::closure_of_cells(Row{}, 0, Context()), InputError);
+  Context context;
+  context.cancel();
+  EXPECT_THROW(SimplicialComplex::closure_of_cells(Row{1, 2, 3, 4}, 4, context), Cancelled);
 }
 
 TEST(SimplicialComplex, BoundaryOfABoundaryIsZero) {

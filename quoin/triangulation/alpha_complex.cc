@@ -23,26 +23,30 @@ constexpr std::uint32_t none = 0xFFFFFFFF;
 
 /// The simplices of full dimension of a triangulation of space.
 template <class Triangulation>
-SimplexList cells_of_space(const Triangulation& triangulation, const Context& context) {
-  SimplexList list;
-  const auto size = static_cast<std::size_t>(triangulation.dimension()) + 1;
+std::vector<std::uint32_t> cells_of_space(const Triangulation& triangulation, const Context& context) {
+  std::vector<std::uint32_t> list;
+  const auto size = triangulation.dimension() + 1;
+  list.reserve(triangulation.cells().size() * static_cast<std::size_t>(size));
   for (std::size_t c = 0; c < triangulation.cells().size(); ++c) {
     if (c % poll_interval == 0) context.poll();
-    if (!triangulation.is_ghost(c)) list.add(std::span(triangulation.cells()[c].vertices).first(size));
+    if (triangulation.is_ghost(c)) continue;
+    const auto& v = triangulation.cells()[c].vertices;
+    list.insert(list.end(), v.begin(), v.begin() + size);
   }
   return list;
 }
 
 template <class Triangulation>
-SimplexList cells_of_plane(const Triangulation& triangulation, const Context& context) {
-  SimplexList list;
+std::vector<std::uint32_t> cells_of_plane(const Triangulation& triangulation, const Context& context) {
+  std::vector<std::uint32_t> list;
   const std::span<const Vertex2> line = triangulation.line();
-  if (line.size() == 1) list.add(std::array{line[0].value});
-  for (std::size_t i = 1; i < line.size(); ++i) list.add(std::array{line[i - 1].value, line[i].value});
+  if (line.size() == 1) list.push_back(line[0].value);
+  for (std::size_t i = 1; i < line.size(); ++i) list.insert(list.end(), {line[i - 1].value, line[i].value});
   const Triangulation2& links = triangulation.links();
   for (std::uint32_t t = 0; t < links.triangle_count(); ++t) {
     if (t % poll_interval == 0) context.poll();
-    if (!links.is_infinite(Triangle2(t))) list.add(links.links()[t].corner);
+    const auto& v = links.links()[t].corner;
+    if (!links.is_infinite(Triangle2(t))) list.insert(list.end(), v.begin(), v.end());
   }
   return list;
 }
@@ -55,35 +59,38 @@ Point3 in_space(const Point2& p) {
 
 AlphaComplex::AlphaComplex(const Delaunay3& triangulation, const Context& context) {
   build(
-      cells_of_space(triangulation, context), false, [&](std::uint32_t v) { return triangulation.point(v); },
-      [](std::uint32_t) { return 0.0; }, context);
+      cells_of_space(triangulation, context), triangulation.dimension(), false,
+      [&](std::uint32_t v) { return triangulation.point(v); }, [](std::uint32_t) { return 0.0; }, context);
 }
 
 AlphaComplex::AlphaComplex(const Regular3& triangulation, const Context& context) {
   build(
-      cells_of_space(triangulation, context), true, [&](std::uint32_t v) { return triangulation.point(v); },
-      [&](std::uint32_t v) { return triangulation.weight(v); }, context);
+      cells_of_space(triangulation, context), triangulation.dimension(), true,
+      [&](std::uint32_t v) { return triangulation.point(v); }, [&](std::uint32_t v) { return triangulation.weight(v); },
+      context);
 }
 
 AlphaComplex::AlphaComplex(const Delaunay2& triangulation, const Context& context) {
   build(
-      cells_of_plane(triangulation, context), false,
+      cells_of_plane(triangulation, context), triangulation.dimension(), false,
       [&](std::uint32_t v) { return in_space(triangulation.point(Vertex2(v))); }, [](std::uint32_t) { return 0.0; },
       context);
 }
 
 AlphaComplex::AlphaComplex(const Regular2& triangulation, const Context& context) {
   build(
-      cells_of_plane(triangulation, context), true,
+      cells_of_plane(triangulation, context), triangulation.dimension(), true,
       [&](std::uint32_t v) { return in_space(triangulation.point(Vertex2(v)).point); },
       [&](std::uint32_t v) { return triangulation.point(Vertex2(v)).weight; }, context);
 }
 
 template <class PointOf, class WeightOf>
-void AlphaComplex::build(const SimplexList& cells, bool is_weighted, const PointOf& point, const WeightOf& weight,
-                         const Context& context) {
+void AlphaComplex::build(const std::vector<std::uint32_t>& cells, int dimension, bool is_weighted, const PointOf& point,
+                         const WeightOf& weight, const Context& context) {
   SimplicialComplex& complex = filtration_.complex;
-  complex = SimplicialComplex::closure_of(cells, context);
+  if (dimension >= 0) {
+    complex = SimplicialComplex::closure_of_cells(cells, static_cast<std::size_t>(dimension) + 1, context);
+  }
   std::vector<Point3> points(complex.count(0));
   std::vector<double> weights(is_weighted ? points.size() : 0);
   for (std::uint32_t v = 0; v < points.size(); ++v) {

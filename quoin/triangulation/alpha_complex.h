@@ -77,8 +77,8 @@ class AlphaComplex {
   enum class Place : std::uint8_t { empty, touched, attached };
 
   template <class PointOf, class WeightOf>
-  void build(const SimplexList& cells, bool is_weighted, const PointOf& point, const WeightOf& weight,
-             const Context& context);
+  void build(const std::vector<std::uint32_t>& cells, int dimension, bool is_weighted, const PointOf& point,
+             const WeightOf& weight, const Context& context);
   static Place place_of(Sign side) {
     return side == Sign::positive ? Place::empty : side == Sign::zero ? Place::touched : Place::attached;
   }
