@@ -146,8 +146,16 @@ std::vector<Interval> AlphaComplex::find_places(const Context& context) {
 void AlphaComplex::find_grades(const std::vector<Interval>& cells, const Context& context) {
   const SimplicialComplex& complex = filtration_.complex;
   const int lowest = spheres_.is_weighted() ? 0 : 1;
+  std::size_t count = 0;
+  for (int k = lowest; k <= dimension(); ++k) {
+    count +=
+        place_[k].size() - static_cast<std::size_t>(std::count(place_[k].begin(), place_[k].end(), Place::attached));
+  }
+  if (count >= none) throw InputError("an alpha complex of 2^32 simplices or more");
   std::vector<SimplexId> owners;
   std::vector<Interval> bounds;
+  owners.reserve(count);
+  bounds.reserve(count);
   for (int k = lowest; k <= dimension(); ++k) {
     for (std::uint32_t i = 0; i < complex.count(k); ++i) {
       if (i % poll_interval == 0) context.poll();
@@ -156,16 +164,13 @@ void AlphaComplex::find_grades(const std::vector<Interval>& cells, const Context
       bounds.push_back(k == 3 ? cells[i] : spheres_.power(complex.vertices({k, i})));
     }
   }
-  if (owners.size() >= none) throw InputError("an alpha complex of 2^32 simplices or more");
-  const ExactRanks ranks = exact_ranks(
-      bounds, [&](std::uint32_t item) { return spheres_.exact_power(complex.vertices(owners[item])); }, context);
+  const auto vertices_of = [&](std::uint32_t item) { return complex.vertices(owners[item]); };
+  const NumberSource source{[&](std::uint32_t item) { return spheres_.close_power(vertices_of(item)); },
+                            [&](std::uint32_t item) { return spheres_.exact_power(vertices_of(item)); }};
+  const ExactRanks ranks = exact_ranks(bounds, source, context);
 
   const bool has_zero = lowest == 1 && complex.count(0) > 0;
-  if (has_zero) {
-    values_.push_back(0);
-    simplex_of_grade_.push_back({0, 0});
-  }
-  values_.insert(values_.end(), ranks.value.begin(), ranks.value.end());
+  if (has_zero) simplex_of_grade_.push_back({0, 0});
   for (const std::uint32_t item : ranks.first) simplex_of_grade_.push_back(owners[item]);
 
   std::vector<std::vector<std::uint32_t>>& grade = filtration_.grade;

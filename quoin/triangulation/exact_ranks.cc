@@ -53,9 +53,8 @@ void sort_places(LargeVector<Place>& places, const Context& context) {
 
 class Ranking {
  public:
-  Ranking(std::span<const Interval> bounds, const std::function<ExactQuotient(std::uint32_t)>& exact,
-          const Context& context)
-      : bounds_(bounds), exact_(exact), context_(context) {}
+  Ranking(std::span<const Interval> bounds, const NumberSource& source, const Context& context)
+      : bounds_(bounds), source_(source), context_(context) {}
 
   ExactRanks run() {
     result_.rank.resize(bounds_.size());
@@ -78,30 +77,56 @@ class Ranking {
   }
 
  private:
-  /// Items that overlap, in the order of the lower ends.
-  void finish(std::vector<std::uint32_t>& cluster) {
+  /// Items that overlap.
+  void finish(std::span<std::uint32_t> cluster) {
     if (cluster.size() <= 1) {
       if (!cluster.empty()) add_rank(cluster);
       return;
     }
     const auto is_point = [this](std::uint32_t i) { return bounds_[i].is_point(); };
     if (std::all_of(cluster.begin(), cluster.end(), is_point)) return add_rank(cluster);  // all at one place
-    sort(cluster);
+    look_closer(cluster);
   }
 
-  void sort(std::span<std::uint32_t> items) {
-    if (items.size() <= few) return sort_exactly(items);
-    double largest = 0;
+  void look_closer(std::span<std::uint32_t> items) {
+    std::vector<std::pair<Interval, std::uint32_t>> close;
+    close.reserve(items.size());
     for (const std::uint32_t i : items) {
-      largest = std::max({largest, std::fabs(bounds_[i].lower()), std::fabs(bounds_[i].upper())});
+      if (close.size() % poll_interval == 0) context_.poll();
+      close.emplace_back(is_close(bounds_[i]) ? bounds_[i] : source_.closer(i), i);
     }
+    std::sort(close.begin(), close.end(), [](const auto& a, const auto& b) {
+      return a.first.lower() < b.first.lower() || (a.first.lower() == b.first.lower() && a.second < b.second);
+    });
+    context_.poll();
+    for (std::size_t i = 0; i < items.size(); ++i) items[i] = close[i].second;
+    for (std::size_t begin = 0; begin < items.size();) {
+      double end = close[begin].first.upper();
+      double largest = 0;
+      std::size_t i = begin;
+      for (; i < items.size() && close[i].first.lower() <= end; ++i) {
+        end = std::max(end, close[i].first.upper());
+        largest = std::max({largest, std::fabs(close[i].first.lower()), std::fabs(close[i].first.upper())});
+      }
+      sort(items.subspan(begin, i - begin), largest);
+      begin = i;
+    }
+  }
+
+  static bool is_close(const Interval& bounds) {
+    return bounds.upper() - bounds.lower() <= 0x1p-47 * std::max(std::fabs(bounds.lower()), std::fabs(bounds.upper()));
+  }
+
+  /// By their leading bits; none is larger in magnitude.
+  void sort(std::span<std::uint32_t> items, double largest) {
+    if (items.size() <= few) return sort_exactly(items);
     if (largest == 0) return sort_exactly(items);
     const int shift = bits_of_keys - std::ilogb(std::min(largest, std::numeric_limits<double>::max()));
     std::vector<std::pair<Integer, std::uint32_t>> keys;
     keys.reserve(items.size());
     for (const std::uint32_t i : items) {
       if (keys.size() % poll_interval == 0) context_.poll();
-      keys.emplace_back(exact_(i).scaled_floor(shift), i);
+      keys.emplace_back(source_.exact(i).scaled_floor(shift), i);
     }
     std::sort(keys.begin(), keys.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     context_.poll();
@@ -116,12 +141,12 @@ class Ranking {
   /// Splits by the number of one of them, drawn from the middle; the larger part is left to the loop.
   void sort_exactly(std::span<std::uint32_t> items) {
     while (items.size() > 1) {
-      const ExactQuotient pivot = exact_(items[items.size() / 2]);
+      const ExactQuotient pivot = source_.exact(items[items.size() / 2]);
       std::size_t below = 0;
       std::size_t above = items.size();
       for (std::size_t i = 0; i < above;) {
         if (++calls_ % poll_interval == 0) context_.poll();
-        const Sign sign = compare(exact_(items[i]), pivot);
+        const Sign sign = compare(source_.exact(items[i]), pivot);
         if (sign == Sign::negative) {
           std::swap(items[below++], items[i++]);
         } else if (sign == Sign::positive) {
@@ -140,24 +165,15 @@ class Ranking {
   void add_rank(std::span<const std::uint32_t> items) {
     const auto rank = static_cast<std::uint32_t>(result_.first.size());
     std::uint32_t least = items[0];
-    std::uint32_t closest = items[0];
     for (const std::uint32_t i : items) {
       result_.rank[i] = rank;
       least = std::min(least, i);
-      const double width = bounds_[i].upper() - bounds_[i].lower();
-      const double width_of_closest = bounds_[closest].upper() - bounds_[closest].lower();
-      if (width < width_of_closest || (width == width_of_closest && i < closest)) closest = i;
     }
-    const Interval& bounds = bounds_[closest];
-    const double middle = bounds.lower() / 2 + bounds.upper() / 2;
-    const double inside = std::clamp(bounds.is_point() ? bounds.lower() : middle, bounds.lower(), bounds.upper());
     result_.first.push_back(least);
-    // The numbers ascend, so the largest middle so far is as close as its own.
-    result_.value.push_back(result_.value.empty() ? inside : std::max(inside, result_.value.back()));
   }
 
   std::span<const Interval> bounds_;
-  const std::function<ExactQuotient(std::uint32_t)>& exact_;
+  const NumberSource& source_;
   const Context& context_;
   ExactRanks result_;
   std::size_t calls_ = 0;
@@ -165,9 +181,8 @@ class Ranking {
 
 }  // namespace
 
-ExactRanks exact_ranks(std::span<const Interval> bounds, const std::function<ExactQuotient(std::uint32_t)>& exact,
-                       const Context& context) {
-  return Ranking(bounds, exact, context).run();
+ExactRanks exact_ranks(std::span<const Interval> bounds, const NumberSource& source, const Context& context) {
+  return Ranking(bounds, source, context).run();
 }
 
 }  // namespace quoin

@@ -16,15 +16,18 @@ namespace quoin {
 struct ExactRanks {
   std::vector<std::uint32_t> rank;   ///< by item
   std::vector<std::uint32_t> first;  ///< of each rank the item of the least number
-  std::vector<double> value;         ///< of each rank, ascending; as close as the interval of some item of it
 };
 
-/// Sorts numbers that are known by intervals, and exactly by `exact(item)`, which is asked only for items whose
-/// intervals overlap.
+/// Numbers that are asked for only where intervals of them overlap.
+struct NumberSource {
+  std::function<Interval(std::uint32_t item)> closer;  ///< of a width of a few units in the last place
+  std::function<ExactQuotient(std::uint32_t item)> exact;
+};
+
+/// Sorts numbers that are known by intervals, and more closely and exactly by a source.
 ///
 /// O(n log n); of m items that overlap, beyond that O(m log m) comparisons of integers and O(m log d) of quotients for
 /// d distinct numbers that agree in about 190 bits. @throws Cancelled
-ExactRanks exact_ranks(std::span<const Interval> bounds, const std::function<ExactQuotient(std::uint32_t)>& exact,
-                       const Context& context);
+ExactRanks exact_ranks(std::span<const Interval> bounds, const NumberSource& source, const Context& context);
 
 }  // namespace quoin

@@ -27,7 +27,7 @@ namespace {
 
 constexpr double u = 0x1p-53;
 constexpr double root_of_three = 1.7320509;
-constexpr double widest = 0x1p-40;  ///< relative error that makes do
+constexpr double widest = 0x1p-24;  ///< relative error that makes do
 
 struct Row {
   double x;
@@ -177,7 +177,7 @@ Interval SmallestSpheres::power(Simplex simplex) const {
     return row(points_[from], points_[to], is_weighted() ? weight(from) - weight(to) : 0);
   };
   const Row a = row_to(simplex[0], simplex[1]);
-  if (!a.is_in_range) return exact_interval(simplex);
+  if (!a.is_in_range) return close_power(simplex);
   std::optional<Interval> result;
   if (simplex.size() == 2) {
     Estimate e{a.lift * a.lift, 0, a.square, 3 * u, false};
@@ -192,7 +192,7 @@ Interval SmallestSpheres::power(Simplex simplex) const {
   } else {
     const Row b = row_to(simplex[0], simplex[2]);
     const Row c = row_to(simplex[1], simplex[2]);
-    if (!b.is_in_range || !c.is_in_range) return exact_interval(simplex);
+    if (!b.is_in_range || !c.is_in_range) return close_power(simplex);
     // Without weights any two sides will do: the shortest.
     if (is_weighted() || (a.size <= c.size && b.size <= c.size)) {
       result = power_of(estimate(a, b, c, is_weighted(), grid_), weight_of_origin);
@@ -202,7 +202,7 @@ Interval SmallestSpheres::power(Simplex simplex) const {
       result = power_of(estimate(b, c, a, false, grid_), 0);
     }
   }
-  return result ? *result : exact_interval(simplex);
+  return result ? *result : close_power(simplex);
 }
 
 SmallestSpheres::Cell SmallestSpheres::cell(std::array<std::uint32_t, 4> v) const {
@@ -252,7 +252,7 @@ SmallestSpheres::Cell SmallestSpheres::cell(std::array<std::uint32_t, 4> v) cons
     result.side[origin] = sign_beyond(rest, is_exact ? 0 : 3300 * u * largest * largest_pair, Sign::zero);
     is_decided[origin] = is_exact || result.side[origin] != Sign::zero;
   }
-  result.power = power ? *power : exact_interval(v);
+  result.power = power ? *power : close_power(v);
   for (unsigned i = 0; i < 4; ++i) {
     if (is_decided[i]) continue;
     const std::array<std::uint32_t, 3> facet{v[i == 0 ? 1 : 0], v[i <= 1 ? 2 : 1], v[i <= 2 ? 3 : 2]};

@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
+#include <cstdint>
+#include <cstdlib>
+#include <optional>
 
 #include "quoin/kernel/call_grid.h"
 #include "quoin/number/bounded_int.h"
@@ -114,6 +116,24 @@ Interval around_quotient(const LeadingBits& numerator, const LeadingBits& denomi
   return {value * (1 - 0x1p-51), value * (1 + 0x1p-51)};
 }
 
+/// The nearest double to the same quotient, where 64 bits of both and of the quotient tell it.
+std::optional<double> nearest_to_quotient(const LeadingBits& numerator, const LeadingBits& denominator,
+                                          std::int64_t exponent) {
+  // In [2^63, 2^65), 4 units or less from the quotient: each of numerator and denominator misses less than one in 2^63,
+  // and the division less than one.
+  using Wide = fixed_int_detail::UInt128;
+  const Wide quotient = (static_cast<Wide>(numerator.bits) << 64) / denominator.bits;
+  exponent += numerator.exponent - denominator.exponent - 64;
+  if (exponent < -1000 || exponent > 900) return std::nullopt;
+  const auto round = [](Wide x) {
+    const auto sticky = static_cast<std::uint64_t>((x & 7) != 0);
+    return static_cast<double>(static_cast<std::int64_t>(static_cast<std::uint64_t>(x >> 3) | sticky));
+  };
+  const double below = round(quotient - 4);
+  if (below != round(quotient + 4)) return std::nullopt;
+  return std::ldexp(below, static_cast<int>(exponent) + 3);
+}
+
 int exponent_of(double power_of_two) {
   return std::ilogb(power_of_two);
 }
@@ -164,7 +184,7 @@ ExactQuotient SmallestSpheres::exact_power(Simplex simplex) const {
   });
 }
 
-Interval SmallestSpheres::exact_interval(Simplex simplex) const {
+Interval SmallestSpheres::close_power(Simplex simplex) const {
   if (std::array<FixedRow, 3> rows; to_fixed_rows(*this, simplex, scale_, rows)) {
     const Interval quick =
         with_centre_square(rows, simplex.size() - 1, [&](const auto& numerator, const auto& denominator) {
@@ -174,6 +194,19 @@ Interval SmallestSpheres::exact_interval(Simplex simplex) const {
     if (!quick.contains(0)) return quick;
   }
   return exact_power(simplex).interval();
+}
+
+double SmallestSpheres::nearest_power(Simplex simplex) const {
+  if (const Interval quick = power(simplex); quick.is_point()) return quick.lower();
+  if (std::array<FixedRow, 3> rows; to_fixed_rows(*this, simplex, scale_, rows)) {
+    const std::optional<double> quick =
+        with_centre_square(rows, simplex.size() - 1, [&](const auto& numerator, const auto& denominator) {
+          return nearest_to_quotient(leading_bits(numerator.limbs()), leading_bits(denominator.limbs()),
+                                     -2 - 2 * exponent_of(scale_));
+        });
+    if (quick) return *quick;
+  }
+  return exact_power(simplex).nearest();
 }
 
 Sign SmallestSpheres::exact_side(Simplex facet, std::uint32_t q) const {
