@@ -108,16 +108,17 @@ void AlphaComplex::look_from(std::span<const std::uint32_t> facet, SimplexId of,
   place = std::max(place, place_of(spheres_.side(facet, vertex)));
 }
 
-/// And the powers of tetrahedra, as these are known by then.
+/// And the powers of tetrahedra, as these are known by then; there is room for others.
 std::vector<Interval> AlphaComplex::find_places(const Context& context) {
   const SimplicialComplex& complex = filtration_.complex;
   for (int k = 0; k <= dimension(); ++k) place_.emplace_back(complex.count(k), Place::empty);
-  std::vector<Interval> powers(complex.count(3));
+  std::vector<Interval> powers;
+  powers.reserve(complex.size());
   for (std::uint32_t i = 0; i < complex.count(3); ++i) {
     if (i % poll_interval == 0) context.poll();
     const auto v = complex.vertices({3, i});
     const SmallestSpheres::Cell cell = spheres_.cell({v[0], v[1], v[2], v[3]});
-    powers[i] = cell.power;
+    powers.push_back(cell.power);
     const auto facets = complex.facets({3, i});
     for (std::size_t j = 0; j < 4; ++j) {
       Place& place = place_[2][facets[j]];
@@ -143,47 +144,48 @@ std::vector<Interval> AlphaComplex::find_places(const Context& context) {
 
 /// Values of Gabriel simplices are their own; others have the grade of a coface. Without weights those of vertices are
 /// zero, and all others above.
-void AlphaComplex::find_grades(const std::vector<Interval>& cells, const Context& context) {
+void AlphaComplex::find_grades(std::vector<Interval> bounds, const Context& context) {
   const SimplicialComplex& complex = filtration_.complex;
   const int lowest = spheres_.is_weighted() ? 0 : 1;
-  std::size_t count = 0;
-  for (int k = lowest; k <= dimension(); ++k) {
-    count +=
-        place_[k].size() - static_cast<std::size_t>(std::count(place_[k].begin(), place_[k].end(), Place::attached));
-  }
-  if (count >= none) throw InputError("an alpha complex of 2^32 simplices or more");
-  std::vector<SimplexId> owners;
-  std::vector<Interval> bounds;
-  owners.reserve(count);
-  bounds.reserve(count);
-  for (int k = lowest; k <= dimension(); ++k) {
+  // Items: Gabriel simplices, those of the highest dimension first.
+  std::vector<std::uint32_t> owner;
+  std::array<std::uint32_t, 5> begin{};  // of dimension k those from begin[k + 1] to begin[k]
+  if (complex.size() >= none) throw InputError("an alpha complex of 2^32 simplices or more");
+  owner.reserve(complex.size());
+  for (int k = 3; k >= lowest; --k) {
     for (std::uint32_t i = 0; i < complex.count(k); ++i) {
       if (i % poll_interval == 0) context.poll();
       if (!is_gabriel({k, i})) continue;
-      owners.push_back({k, i});
-      bounds.push_back(k == 3 ? cells[i] : spheres_.power(complex.vertices({k, i})));
+      owner.push_back(i);
+      if (k < 3) bounds.push_back(spheres_.power(complex.vertices({k, i})));
     }
+    begin[k] = static_cast<std::uint32_t>(owner.size());
   }
-  const auto vertices_of = [&](std::uint32_t item) { return complex.vertices(owners[item]); };
-  const NumberSource source{[&](std::uint32_t item) { return spheres_.close_power(vertices_of(item)); },
-                            [&](std::uint32_t item) { return spheres_.exact_power(vertices_of(item)); }};
+  const auto simplex_of = [&](std::uint32_t item) {
+    int k = 3;
+    while (item >= begin[k]) --k;
+    return SimplexId{k, owner[item]};
+  };
+  const NumberSource source{
+      [&](std::uint32_t item) { return spheres_.close_power(complex.vertices(simplex_of(item))); },
+      [&](std::uint32_t item) { return spheres_.exact_power(complex.vertices(simplex_of(item))); }};
   const ExactRanks ranks = exact_ranks(bounds, source, context);
 
-  const bool has_zero = lowest == 1 && complex.count(0) > 0;
-  if (has_zero) simplex_of_grade_.push_back({0, 0});
-  for (const std::uint32_t item : ranks.first) simplex_of_grade_.push_back(owners[item]);
+  const std::uint32_t zeros = lowest == 1 && complex.count(0) > 0 ? 1 : 0;
+  simplex_of_grade_.reserve(ranks.first.size() + zeros);
+  if (zeros > 0) simplex_of_grade_.push_back({0, 0});
+  for (const std::uint32_t item : ranks.first) simplex_of_grade_.push_back(simplex_of(item));
 
   std::vector<std::vector<std::uint32_t>>& grade = filtration_.grade;
-  for (int k = 0; k <= dimension(); ++k) grade.emplace_back(complex.count(k), none);
-  if (has_zero) grade[0].assign(grade[0].size(), 0);
-  for (std::size_t item = 0; item < owners.size(); ++item) {
-    grade[owners[item].dimension][owners[item].index] = ranks.rank[item] + (has_zero ? 1 : 0);
+  for (int k = 0; k <= dimension(); ++k) grade.emplace_back(complex.count(k), k < lowest ? 0 : none);
+  for (int k = lowest; k <= dimension(); ++k) {
+    for (std::uint32_t item = begin[k + 1]; item < begin[k]; ++item) grade[k][owner[item]] = ranks.rank[item] + zeros;
   }
   for (int k = dimension(); k > lowest; --k) {
     context.poll();
     for (std::uint32_t i = 0; i < complex.count(k); ++i) {
       for (const std::uint32_t facet : complex.facets({k, i})) {
-        if (!is_gabriel({k - 1, facet})) grade[k - 1][facet] = std::min(grade[k - 1][facet], grade[k][i]);
+        grade[k - 1][facet] = std::min(grade[k - 1][facet], grade[k][i]);
       }
     }
   }

@@ -33,7 +33,7 @@ class Regular3;
 /// Source: Edelsbrunner and Mücke 1994; Edelsbrunner 1995 for weights.
 class AlphaComplex {
  public:
-  /// O(n log n) for n simplices, of which there are O(p^2) for p points.
+  /// O(n log n) for n simplices, less where values are spread; of which there are O(p^2) for p points.
   /// @throws InputError of 2^32 simplices or more; Cancelled
   AlphaComplex(const Delaunay3& triangulation, const Context& context);
   AlphaComplex(const Regular3& triangulation, const Context& context);
@@ -56,7 +56,7 @@ class AlphaComplex {
     return spheres_.nearest_power(complex().vertices(simplex_of_grade_[grade]));
   }
   Rational exact_value(std::uint32_t grade) const;
-  /// A simplex the smallest sphere of which has the value: the first one by dimension and vertices.
+  /// A simplex the smallest sphere of which has the value: of the highest dimension the first by vertices.
   SimplexId simplex_of_grade(std::uint32_t grade) const { return simplex_of_grade_[grade]; }
 
   /// Whether no vertex is inside the smallest sphere of the simplex, so that its value is the power of that; else the
@@ -86,7 +86,7 @@ class AlphaComplex {
   }
   void look_from(std::span<const std::uint32_t> facet, SimplexId of, std::uint32_t vertex);
   std::vector<Interval> find_places(const Context& context);
-  void find_grades(const std::vector<Interval>& cells, const Context& context);
+  void find_grades(std::vector<Interval> bounds, const Context& context);
 
   Filtration filtration_;
   SmallestSpheres spheres_{{}};

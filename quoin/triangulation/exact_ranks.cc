@@ -2,10 +2,12 @@
 #include "quoin/triangulation/exact_ranks.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "quoin/base/large_vector.h"
@@ -21,33 +23,56 @@ constexpr int bits_of_keys = 190;
 struct Place {
   std::uint64_t key;  ///< of the lower end, in the order of doubles
   std::uint32_t item;
+  float width;  ///< of the interval over the magnitude of its lower end, or more
 };
+
+float width_of(const Interval& bounds) {
+  if (bounds.is_point()) return 0;
+  const double width = (bounds.upper() - bounds.lower()) / std::fabs(bounds.lower());
+  // Twice as much is more than what is rounded anywhere; a width that is no number is endless, too.
+  return width < 0x1p100 && std::fabs(bounds.lower()) > 0x1p-900 ? static_cast<float>(2 * width)
+                                                                 : std::numeric_limits<float>::infinity();
+}
 
 /// Doubles in their order, zeros alike.
 std::uint64_t ordered_bits(double x) {
   const auto bits = std::bit_cast<std::uint64_t>(x + 0.0);
   return (bits >> 63) != 0 ? ~bits : bits | std::uint64_t{1} << 63;
 }
+double of_ordered_bits(std::uint64_t key) {
+  return std::bit_cast<double>((key >> 63) != 0 ? key & ~(std::uint64_t{1} << 63) : ~key);
+}
 
-/// By key, equal ones in the order they have: digit by digit, those that do not differ left out.
+/// By key: by the leading bits, digit by digit, then those that have these alike.
 void sort_places(LargeVector<Place>& places, const Context& context) {
   constexpr int digit_bits = 11;
+  constexpr int passes = 3;
+  constexpr int first_shift = 64 - passes * digit_bits;
   constexpr std::size_t digits = std::size_t{1} << digit_bits;
-  std::uint64_t all = ~std::uint64_t{0};
-  std::uint64_t any = 0;
+  const auto digit = [](const Place& place, int pass) {
+    return (place.key >> (first_shift + pass * digit_bits)) % digits;
+  };
+  std::array<std::vector<std::size_t>, passes> next;
+  next.fill(std::vector<std::size_t>(digits + 1, 0));
   for (const Place& place : places) {
-    all &= place.key;
-    any |= place.key;
+    for (int pass = 0; pass < passes; ++pass) ++next[pass][digit(place, pass) + 1];
   }
   LargeVector<Place> sorted(places.size());
-  for (int shift = 0; shift < 64; shift += digit_bits) {
-    if (((all ^ any) >> shift) % digits == 0) continue;
+  for (int pass = 0; pass < passes; ++pass) {
     context.poll();
-    std::vector<std::size_t> next(digits + 1, 0);
-    for (const Place& place : places) ++next[(place.key >> shift) % digits + 1];
-    for (std::size_t d = 1; d < digits; ++d) next[d] += next[d - 1];
-    for (const Place& place : places) sorted[next[(place.key >> shift) % digits]++] = place;
+    if (std::find(next[pass].begin(), next[pass].end(), places.size()) != next[pass].end()) continue;  // one digit
+    std::partial_sum(next[pass].begin(), next[pass].end(), next[pass].begin());
+    for (const Place& place : places) sorted[next[pass][digit(place, pass)]++] = place;
     std::swap(places, sorted);
+  }
+  const auto is_less = [](const Place& a, const Place& b) { return a.key < b.key; };
+  for (std::size_t begin = 0; begin < places.size();) {
+    std::size_t end = begin + 1;
+    while (end < places.size() && places[end].key >> first_shift == places[begin].key >> first_shift) ++end;
+    const auto from = places.begin() + static_cast<std::ptrdiff_t>(begin);
+    const auto to = places.begin() + static_cast<std::ptrdiff_t>(end);
+    if (end - begin > 1 && !std::is_sorted(from, to, is_less)) std::sort(from, to, is_less);
+    begin = end;
   }
 }
 
@@ -59,28 +84,37 @@ class Ranking {
   ExactRanks run() {
     result_.rank.resize(bounds_.size());
     LargeVector<Place> places(bounds_.size());
-    for (std::uint32_t i = 0; i < bounds_.size(); ++i) places[i] = {ordered_bits(bounds_[i].lower()), i};
-    sort_places(places, context_);
-    std::vector<std::uint32_t> cluster;
-    double end = -std::numeric_limits<double>::infinity();
-    for (const Place& place : places) {
-      const Interval& bounds = bounds_[place.item];
-      if (!cluster.empty() && bounds.lower() > end) {
-        finish(cluster);
-        cluster.clear();
-      }
-      end = cluster.empty() ? bounds.upper() : std::max(end, bounds.upper());
-      cluster.push_back(place.item);
+    for (std::uint32_t i = 0; i < bounds_.size(); ++i) {
+      places[i] = {ordered_bits(bounds_[i].lower()), i, width_of(bounds_[i])};
     }
-    finish(cluster);
+    sort_places(places, context_);
+    result_.first.reserve(places.size());
+    std::vector<std::uint32_t> cluster;
+    for (std::size_t begin = 0; begin < places.size();) {
+      double end = upper_end(places[begin]);
+      std::size_t i = begin + 1;
+      for (; i < places.size() && of_ordered_bits(places[i].key) <= end; ++i) end = std::max(end, upper_end(places[i]));
+      cluster.clear();
+      for (std::size_t j = begin; j < i; ++j) cluster.push_back(places[j].item);
+      finish(cluster);
+      begin = i;
+    }
     return std::move(result_);
   }
 
  private:
+  double upper_end(const Place& place) const {
+    const double lower = of_ordered_bits(place.key);
+    if (place.width == 0) return lower;
+    if (std::isinf(place.width)) return bounds_[place.item].upper();
+    return lower + static_cast<double>(place.width) * std::fabs(lower);
+  }
+
   /// Items that overlap.
   void finish(std::span<std::uint32_t> cluster) {
-    if (cluster.size() <= 1) {
-      if (!cluster.empty()) add_rank(cluster);
+    if (cluster.size() == 1) {
+      result_.rank[cluster[0]] = static_cast<std::uint32_t>(result_.first.size());
+      result_.first.push_back(cluster[0]);
       return;
     }
     const auto is_point = [this](std::uint32_t i) { return bounds_[i].is_point(); };

@@ -27,7 +27,7 @@ namespace {
 
 constexpr double u = 0x1p-53;
 constexpr double root_of_three = 1.7320509;
-constexpr double widest = 0x1p-24;  ///< relative error that makes do
+constexpr double widest = 0x1p-36;  ///< relative error that makes do
 
 struct Row {
   double x;
@@ -40,7 +40,7 @@ struct Row {
   bool is_in_range;
 };
 
-Row row(const Point3& p, const Point3& q, double weight_difference) {
+inline Row row(const Point3& p, const Point3& q, double weight_difference) {
   Row r{q.x - p.x, q.y - p.y, q.z - p.z, 0, 0, 0, 0, false};
   r.square = r.x * r.x + r.y * r.y + r.z * r.z;
   r.lift = r.square + weight_difference;
