@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Times alpha complexes of generated points and prints a line of JSON: seconds of the processor for the triangulation,
-// for its simplices, for their values and order, and for the persistence.
+// for its simplices, for their values and order, and for the persistence; with more threads, of the wall.
 //
-//   alpha_bench [--rounds N] torus|cube|ball|sphere|scan|lattice|jittered[-grid] COUNT
+//   alpha_bench [--rounds N] [--threads N] torus|cube|ball|sphere|scan|lattice|jittered[-grid] COUNT
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -22,15 +23,21 @@ namespace {
 
 class Stopwatch {
  public:
+  explicit Stopwatch(bool is_of_wall) : is_of_wall_(is_of_wall), start_(now()) {}
   double lap() {
-    const std::clock_t now = std::clock();
-    const double seconds = static_cast<double>(now - start_) / CLOCKS_PER_SEC;
-    start_ = now;
-    return seconds;
+    const double from = start_;
+    start_ = now();
+    return start_ - from;
   }
 
  private:
-  std::clock_t start_ = std::clock();
+  double now() const {
+    if (!is_of_wall_) return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  }
+
+  bool is_of_wall_;
+  double start_;
 };
 
 std::vector<std::uint32_t> cells_of(const quoin::Delaunay3& triangulation) {
@@ -42,11 +49,11 @@ std::vector<std::uint32_t> cells_of(const quoin::Delaunay3& triangulation) {
   return cells;
 }
 
-void run(const std::string& kind, std::size_t count, int rounds) {
+void run(const std::string& kind, std::size_t count, int rounds, unsigned threads) {
   std::vector<quoin::Point3> points;
   for (const auto& [x, y, z] : delaunay_points::make(kind, count)) points.push_back({x, y, z});
   const long before = resident_kb();
-  const quoin::Context context({.threads = 1});
+  const quoin::Context context({.threads = threads});
   double delaunay = 1e300;
   double complex = 1e300;
   double alpha = 1e300;
@@ -55,7 +62,7 @@ void run(const std::string& kind, std::size_t count, int rounds) {
   std::size_t grades = 0;
   std::vector<std::size_t> pairs;
   for (int round = 0; round < rounds; ++round) {
-    Stopwatch watch;
+    Stopwatch watch(threads > 1);
     const quoin::Delaunay3 triangulation(points, context);
     delaunay = std::min(delaunay, watch.lap());
     const std::size_t width = static_cast<std::size_t>(triangulation.dimension()) + 1;
@@ -81,18 +88,21 @@ void run(const std::string& kind, std::size_t count, int rounds) {
 
 int main(int argc, char** argv) {
   int rounds = 1;
+  unsigned threads = 1;
   std::vector<std::string> words;
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
     if (word == "--rounds" && i + 1 < argc) {
       rounds = std::atoi(argv[++i]);
+    } else if (word == "--threads" && i + 1 < argc) {
+      threads = static_cast<unsigned>(std::atoi(argv[++i]));
     } else {
       words.push_back(word);
     }
   }
   try {
     if (words.size() != 2) throw std::invalid_argument("alpha_bench KIND COUNT");
-    run(words[0], std::strtoull(words[1].c_str(), nullptr, 10), rounds);
+    run(words[0], std::strtoull(words[1].c_str(), nullptr, 10), rounds, threads);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 1;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "quoin/base/error.h"
+#include "quoin/base/parallel.h"
 #include "quoin/triangulation/delaunay2.h"
 #include "quoin/triangulation/delaunay3.h"
 #include "quoin/triangulation/exact_ranks.h"
@@ -19,6 +20,7 @@ namespace quoin {
 namespace {
 
 constexpr std::size_t poll_interval = 1024;
+constexpr std::size_t grain = 256;
 constexpr std::uint32_t none = 0xFFFFFFFF;
 
 /// The simplices of full dimension of a triangulation of space.
@@ -101,44 +103,54 @@ void AlphaComplex::build(const std::vector<std::uint32_t>& cells, int dimension,
   find_grades(find_places(context), context);
 }
 
-/// Notes where the vertex is, seen from a facet of a simplex of both.
-void AlphaComplex::look_from(std::span<const std::uint32_t> facet, SimplexId of, std::uint32_t vertex) {
-  Place& place = place_[of.dimension][of.index];
-  if (place == Place::attached) return;
-  place = std::max(place, place_of(spheres_.side(facet, vertex)));
+/// Where the vertices of all simplices of dimension k are in the smallest spheres of the facets opposite:
+/// `look(vertices, place in the list)` tells, two bits for each vertex. Of each facet the innermost counts.
+template <class Look>
+void AlphaComplex::look_at_facets(int k, const Look& look, const Context& context) {
+  const SimplicialComplex& complex = filtration_.complex;
+  std::vector<std::uint8_t> places(complex.count(k));
+  for_each_chunk(context, places.size(), grain, [&](const Chunk& chunk) {
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      places[i] = look(complex.vertices({k, static_cast<std::uint32_t>(i)}), i);
+    }
+  });
+  for (std::uint32_t i = 0; i < places.size(); ++i) {
+    if (i % poll_interval == 0) context.poll();
+    unsigned bits = places[i];
+    for (const std::uint32_t facet : complex.facets({k, i})) {
+      place_[k - 1][facet] = std::max(place_[k - 1][facet], static_cast<Place>(bits & 3));
+      bits >>= 2;
+    }
+  }
 }
 
 /// And the powers of tetrahedra, as these are known by then; there is room for others.
 std::vector<Interval> AlphaComplex::find_places(const Context& context) {
   const SimplicialComplex& complex = filtration_.complex;
   for (int k = 0; k <= dimension(); ++k) place_.emplace_back(complex.count(k), Place::empty);
+  const auto bits = [](Sign side, std::size_t j) { return static_cast<unsigned>(place_of(side)) << 2 * j; };
   std::vector<Interval> powers;
   powers.reserve(complex.size());
-  for (std::uint32_t i = 0; i < complex.count(3); ++i) {
-    if (i % poll_interval == 0) context.poll();
-    const auto v = complex.vertices({3, i});
+  powers.resize(complex.count(3));
+  const auto look_in_cell = [&](SmallestSpheres::Simplex v, std::size_t i) {
     const SmallestSpheres::Cell cell = spheres_.cell({v[0], v[1], v[2], v[3]});
-    powers.push_back(cell.power);
-    const auto facets = complex.facets({3, i});
-    for (std::size_t j = 0; j < 4; ++j) {
-      Place& place = place_[2][facets[j]];
-      place = std::max(place, place_of(cell.side[j]));
-    }
-  }
-  for (std::uint32_t i = 0; i < complex.count(2); ++i) {
-    if (i % poll_interval == 0) context.poll();
-    const auto v = complex.vertices({2, i});
-    const auto facets = complex.facets({2, i});
-    for (std::size_t j = 0; j < 3; ++j) {
-      look_from(std::array{v[j == 0 ? 1 : 0], v[j == 2 ? 1 : 2]}, {1, facets[j]}, v[j]);
-    }
-  }
-  if (!spheres_.is_weighted()) return powers;
-  for (std::uint32_t i = 0; i < complex.count(1); ++i) {
-    const auto v = complex.vertices({1, i});
-    look_from(v.first(1), {0, v[0]}, v[1]);
-    look_from(v.last(1), {0, v[1]}, v[0]);
-  }
+    powers[i] = cell.power;
+    unsigned places = 0;
+    for (std::size_t j = 0; j < 4; ++j) places |= bits(cell.side[j], j);
+    return static_cast<std::uint8_t>(places);
+  };
+  const auto look_in_triangle = [&](SmallestSpheres::Simplex v, std::size_t) {
+    return static_cast<std::uint8_t>(bits(spheres_.side(std::array{v[1], v[2]}, v[0]), 0) |
+                                     bits(spheres_.side(std::array{v[0], v[2]}, v[1]), 1) |
+                                     bits(spheres_.side(std::array{v[0], v[1]}, v[2]), 2));
+  };
+  const auto look_in_edge = [&](SmallestSpheres::Simplex v, std::size_t) {
+    return static_cast<std::uint8_t>(bits(spheres_.side(v.last(1), v[0]), 0) |
+                                     bits(spheres_.side(v.first(1), v[1]), 1));
+  };
+  if (dimension() > 2) look_at_facets(3, look_in_cell, context);
+  if (dimension() > 1) look_at_facets(2, look_in_triangle, context);
+  if (dimension() > 0 && spheres_.is_weighted()) look_at_facets(1, look_in_edge, context);
   return powers;
 }
 
@@ -157,7 +169,6 @@ void AlphaComplex::find_grades(std::vector<Interval> bounds, const Context& cont
       if (i % poll_interval == 0) context.poll();
       if (!is_gabriel({k, i})) continue;
       owner.push_back(i);
-      if (k < 3) bounds.push_back(spheres_.power(complex.vertices({k, i})));
     }
     begin[k] = static_cast<std::uint32_t>(owner.size());
   }
@@ -166,6 +177,13 @@ void AlphaComplex::find_grades(std::vector<Interval> bounds, const Context& cont
     while (item >= begin[k]) --k;
     return SimplexId{k, owner[item]};
   };
+  const std::size_t known = bounds.size();
+  bounds.resize(owner.size());
+  for_each_chunk(context, owner.size() - known, grain, [&](const Chunk& chunk) {
+    for (std::size_t i = known + chunk.begin; i < known + chunk.end; ++i) {
+      bounds[i] = spheres_.power(complex.vertices(simplex_of(static_cast<std::uint32_t>(i))));
+    }
+  });
   const NumberSource source{
       [&](std::uint32_t item) { return spheres_.close_power(complex.vertices(simplex_of(item))); },
       [&](std::uint32_t item) { return spheres_.exact_power(complex.vertices(simplex_of(item))); }};
@@ -182,8 +200,8 @@ void AlphaComplex::find_grades(std::vector<Interval> bounds, const Context& cont
     for (std::uint32_t item = begin[k + 1]; item < begin[k]; ++item) grade[k][owner[item]] = ranks.rank[item] + zeros;
   }
   for (int k = dimension(); k > lowest; --k) {
-    context.poll();
     for (std::uint32_t i = 0; i < complex.count(k); ++i) {
+      if (i % poll_interval == 0) context.poll();
       for (const std::uint32_t facet : complex.facets({k, i})) {
         grade[k - 1][facet] = std::min(grade[k - 1][facet], grade[k][i]);
       }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "quoin/base/context.h"
@@ -29,8 +28,8 @@ class Regular3;
 /// do not depend on that.
 ///
 /// Vertices are those of the triangulation that are not hidden, in its order: `complex().label(v)` is the number there.
-/// Hence the order in which points are given changes nothing. Immutable; does not need the triangulation any more.
-/// Source: Edelsbrunner and Mücke 1994; Edelsbrunner 1995 for weights.
+/// Hence the order in which points are given changes nothing, nor does the number of threads. Immutable; does not need
+/// the triangulation any more. Source: Edelsbrunner and Mücke 1994; Edelsbrunner 1995 for weights.
 class AlphaComplex {
  public:
   /// O(n log n) for n simplices, less where values are spread; of which there are O(p^2) for p points.
@@ -84,7 +83,8 @@ class AlphaComplex {
   static Place place_of(Sign side) {
     return side == Sign::positive ? Place::empty : side == Sign::zero ? Place::touched : Place::attached;
   }
-  void look_from(std::span<const std::uint32_t> facet, SimplexId of, std::uint32_t vertex);
+  template <class Look>
+  void look_at_facets(int k, const Look& look, const Context& context);
   std::vector<Interval> find_places(const Context& context);
   void find_grades(std::vector<Interval> bounds, const Context& context);
 

@@ -178,6 +178,41 @@ TEST(AlphaComplex, ValuesInThePlane) {
   }
 }
 
+/// Points of the plane, and the same in space: the same values, and as many simplices of each.
+TEST(AlphaComplex, PlaneAndSpaceAgree) {
+  Random random(9);
+  for (const Cloud& cloud : testing::clouds(random, 60)) {
+    SCOPED_TRACE(cloud.name);
+    std::vector<Point2> plane;
+    std::vector<Point3> space;
+    for (const Point3& p : cloud.points) {
+      plane.push_back({p.x, p.y});
+      space.push_back({p.x, p.y, 0});
+    }
+    const AlphaComplex a = alpha_of(plane);
+    const AlphaComplex b = alpha_of(space);
+    ASSERT_EQ(a.dimension(), b.dimension());
+    ASSERT_EQ(a.grade_count(), b.grade_count());
+    for (std::uint32_t g = 0; g < a.grade_count(); ++g) ASSERT_EQ(a.exact_value(g), b.exact_value(g));
+    for (int k = 0; k <= a.dimension(); ++k) {
+      std::vector<std::uint32_t> of_a = a.filtration().grade[k];
+      std::vector<std::uint32_t> of_b = b.filtration().grade[k];
+      std::sort(of_a.begin(), of_a.end());
+      std::sort(of_b.begin(), of_b.end());
+      ASSERT_EQ(of_a, of_b);
+    }
+  }
+}
+
+TEST(AlphaComplex, ThreadsChangeNothing) {
+  Random random(10);
+  const Delaunay3 triangulation(testing::random_points(random, 2000, testing::unit), context());
+  const AlphaComplex one(triangulation, context());
+  const AlphaComplex four(triangulation, Context({.threads = 4}));
+  EXPECT_EQ(one.filtration().grade, four.filtration().grade);
+  EXPECT_EQ(one.order(context()), four.order(context()));
+}
+
 /// Homology at each value is that of the nerve of the balls, of all subsets of them with a common point.
 void expect_nerve(const AlphaComplex& alpha, const Distinct& input) {
   const SlowSpheres slow(input.points, input.weights);

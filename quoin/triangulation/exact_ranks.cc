@@ -172,15 +172,19 @@ class Ranking {
     }
   }
 
-  /// Splits by the number of one of them, drawn from the middle; the larger part is left to the loop.
   void sort_exactly(std::span<std::uint32_t> items) {
+    split(items, 2 * static_cast<int>(std::bit_width(items.size())));
+  }
+
+  /// By the number of one of them from the middle; where that has gone wrong too often, by comparisons.
+  void split(std::span<std::uint32_t> items, int depth) {
     while (items.size() > 1) {
+      if (depth-- == 0) return sort_by_comparisons(items);
       const ExactQuotient pivot = source_.exact(items[items.size() / 2]);
       std::size_t below = 0;
       std::size_t above = items.size();
       for (std::size_t i = 0; i < above;) {
-        if (++calls_ % poll_interval == 0) context_.poll();
-        const Sign sign = compare(source_.exact(items[i]), pivot);
+        const Sign sign = compare(exact(items[i]), pivot);
         if (sign == Sign::negative) {
           std::swap(items[below++], items[i++]);
         } else if (sign == Sign::positive) {
@@ -189,11 +193,26 @@ class Ranking {
           ++i;
         }
       }
-      sort_exactly(items.first(below));
+      split(items.first(below), depth);
       add_rank(items.subspan(below, above - below));
       items = items.subspan(above);
     }
     if (!items.empty()) add_rank(items);
+  }
+
+  void sort_by_comparisons(std::span<std::uint32_t> items) {
+    std::sort(items.begin(), items.end(),
+              [this](std::uint32_t a, std::uint32_t b) { return compare(exact(a), exact(b)) == Sign::negative; });
+    for (std::size_t begin = 0, i = 1; i <= items.size(); ++i) {
+      if (i < items.size() && compare(exact(items[begin]), exact(items[i])) == Sign::zero) continue;
+      add_rank(items.subspan(begin, i - begin));
+      begin = i;
+    }
+  }
+
+  ExactQuotient exact(std::uint32_t item) {
+    if (++calls_ % poll_interval == 0) context_.poll();
+    return source_.exact(item);
   }
 
   void add_rank(std::span<const std::uint32_t> items) {

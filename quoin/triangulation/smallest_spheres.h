@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -69,6 +70,7 @@ class SmallestSpheres {
   Cell cell(std::array<std::uint32_t, 4> vertices) const;
 
  private:
+  std::optional<Sign> filtered_weighted_side(Simplex facet, std::uint32_t q) const;
   Sign exact_side(Simplex facet, std::uint32_t q) const;
 
   std::vector<Point3> points_;

@@ -185,6 +185,7 @@ ExactQuotient SmallestSpheres::exact_power(Simplex simplex) const {
 }
 
 Interval SmallestSpheres::close_power(Simplex simplex) const {
+  if (simplex.size() == 1) return {-weight(simplex[0])};
   if (std::array<FixedRow, 3> rows; to_fixed_rows(*this, simplex, scale_, rows)) {
     const Interval quick =
         with_centre_square(rows, simplex.size() - 1, [&](const auto& numerator, const auto& denominator) {
