@@ -161,7 +161,7 @@ void add_topology(CLI::App& app, Options& options) {
 }
 
 CLI::App* add_points_command(CLI::App& app, Options& options, const char* name, const char* text,
-                             const char* what_meshes_hold) {
+                             const std::string& formats) {
   CLI::App* command = add_command(app, options, name, text);
   command
       ->add_option("file", options.inputs,
@@ -169,8 +169,7 @@ CLI::App* add_points_command(CLI::App& app, Options& options, const char* name, 
       ->required()
       ->expected(1);
   add_repeatable(*command, "-o,--output", options.outputs,
-                 std::string("file to write, format by its ending: vtk (all cells), ply obj off (") + what_meshes_hold +
-                     "); '-' for standard output; may be repeated");
+                 "file to write, format by its ending: " + formats + "; '-' for standard output; may be repeated");
   command->add_option("--format", options.format,
                       "format of standard output: an ending without its dot (default: vtk)");
   command
@@ -185,16 +184,37 @@ CLI::App* add_points_command(CLI::App& app, Options& options, const char* name, 
   return command;
 }
 
+void add_alpha(CLI::App& app, Options& options) {
+  CLI::App* alpha = add_points_command(
+      app, options, "alpha", "alpha complexes of points, exactly: their values, shapes, and graphs of neighbours",
+      "vtk (simplices with values, or edges of a graph), ply obj off (the boundary, or triangles of the plane), txt "
+      "(the filtration, or pairs of points)");
+  alpha->add_flag("--weighted", options.weighted, "the last column is a weight: of the regular triangulation");
+  alpha->add_option("--value", options.value, "the complex of this value, a squared radius: a decimal or p/q");
+  alpha->add_option("--radius", options.radius, "the complex of the square of this");
+  alpha
+      ->add_option("--pieces", options.pieces,
+                   "the least complex with no more pieces of full dimension, all points at them")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{0xFFFFFFFF}));
+  alpha->add_flag("--values", options.values, "all critical values");
+  alpha->add_flag("--exact", options.exact, "values as fractions, in the report and in txt");
+  alpha
+      ->add_option("--graph", options.graph,
+                   "gabriel, relative-neighbours or spanning-tree: that graph of all points instead of a complex")
+      ->check(CLI::IsMember({"gabriel", "relative-neighbours", "spanning-tree"}));
+}
+
 void add_triangulations(CLI::App& app, Options& options) {
   CLI::App* delaunay = add_points_command(app, options, "delaunay", "the Delaunay triangulation of points, exactly",
-                                          "the hull, or all triangles of the plane");
+                                          "vtk (all cells), ply obj off (the hull, or all triangles of the plane)");
   delaunay->add_flag("--weighted", options.weighted, "the last column is a weight: the regular triangulation");
   delaunay->add_flag("--check", options.check,
                      "prove that every sphere is empty, by other means than those that made it");
   CLI::App* voronoi = add_points_command(app, options, "voronoi", "what is nearest to each of many points, exactly",
-                                         "bounded facets, or cells of the plane");
+                                         "vtk (all cells), ply obj off (bounded facets, or cells of the plane)");
   voronoi->add_flag("--cells", options.cells, "each cell: its volume or area, and its neighbours");
   voronoi->add_flag("--exact", options.exact, "of --cells: exact volumes at any length, not only short ones");
+  add_alpha(app, options);
 }
 
 void add_pictures(CLI::App& command, Options& options, const std::string& formats) {

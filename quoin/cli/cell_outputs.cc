@@ -2,6 +2,7 @@
 #include "quoin/cli/cell_outputs.h"
 
 #include <cmath>
+#include <span>
 
 #include "quoin/base/error.h"
 #include "quoin/cli/reporting.h"
@@ -12,27 +13,32 @@ namespace quoin::cli {
 
 namespace {
 
-void require_finite(const Mesh& mesh, const std::string& name) {
-  for (const Point3& p : mesh.vertices) {
+void require_finite(std::span<const Point3> points, const std::string& name) {
+  for (const Point3& p : points) {
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
-      throw InputError(name + ": a corner is beyond the largest double: meshes cannot hold it");
+      throw InputError(name + ": a corner is beyond the largest double, and no format holds it");
   }
 }
 
 }  // namespace
 
-void write_cells(const std::function<VtkGrid()>& grid, const std::function<Mesh()>& mesh, const Options& options,
-                 std::vector<std::string>& warnings, const Context& context) {
+void write_cells(const CellOutputs& outputs, const Options& options, std::vector<std::string>& warnings,
+                 const Context& context) {
   for (const Target& target : targets_of(options)) {
     context.progress("writing", 0);
     if (target.kind == Target::Kind::grid) {
-      const VtkGrid made = grid();
+      const VtkGrid made = outputs.grid();
+      require_finite(made.points, target.name);
       const std::string title = "quoin " + options.command + " of " + title_of(options.inputs[0]);
       write_target(target, [&](std::ostream& out) { write_vtk(out, made, title, context); });
       continue;
     }
-    const Mesh made = mesh();
-    require_finite(made, target.name);
+    if (target.kind == Target::Kind::simplices) {
+      write_target(target, outputs.text);
+      continue;
+    }
+    const Mesh made = outputs.mesh();
+    require_finite(made.vertices, target.name);
     if (made.face_count() == 0) warnings.push_back(target.name + ": there are no faces to write");
     write_target(target, [&](std::ostream& out) { write_mesh(out, target.format, made, context); });
   }

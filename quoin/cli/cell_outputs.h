@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -11,9 +12,15 @@
 
 namespace quoin::cli {
 
-/// Writes the outputs of a command about cells of points: VTK from `grid`, meshes from `mesh`, which are made only if
-/// they are asked for. What meshes do not hold goes to `warnings`.
-void write_cells(const std::function<VtkGrid()>& grid, const std::function<Mesh()>& mesh, const Options& options,
-                 std::vector<std::string>& warnings, const Context& context);
+/// What goes to outputs, made only if it is asked for.
+struct CellOutputs {
+  std::function<VtkGrid()> grid;
+  std::function<Mesh()> mesh;
+  std::function<void(std::ostream&)> text{};  ///< of commands that write .txt
+};
+
+/// Writes the outputs of a command about cells of points. What meshes do not hold goes to `warnings`.
+void write_cells(const CellOutputs& outputs, const Options& options, std::vector<std::string>& warnings,
+                 const Context& context);
 
 }  // namespace quoin::cli

@@ -47,18 +47,9 @@ int run_delaunay(const Options& options, const Context& context) {
       .of_plane = is_of_plane(file, options), .check = options.check, .is_written = !options.outputs.empty()};
   announce_memory(memory_to_triangulate(file.points.size(), how, options.weighted), file.points.size(), options);
   const TriangulatedPoints made = triangulate(file, how, context);
-  if (made.heights_lost > 0) {
-    warnings.push_back(shown(options.inputs[0]) + ": " + std::to_string(made.heights_lost) +
-                       " points have the x and y of others and another third coordinate: the first one's is kept");
-  }
-  if (made.dimension < (how.of_plane ? 2 : 3)) {
-    static constexpr const char* flats[] = {"are all equal", "lie on one line", "lie in one plane"};
-    warnings.push_back(shown(options.inputs[0]) + ": the points " + flats[made.dimension] +
-                       (made.dimension == 2   ? ": cells are triangles"
-                        : made.dimension == 1 ? ": cells are edges"
-                                              : ""));
-  }
-  write_cells([&] { return grid_of(made, file); }, [&] { return mesh_of(made, file); }, options, warnings, context);
+  warn_of_points(made.heights_lost, made.dimension, options, how.of_plane, warnings);
+  write_cells({.grid = [&] { return grid_of(made, file); }, .mesh = [&] { return mesh_of(made, file); }}, options,
+              warnings, context);
   Json report = report_of(made, file, options);
   const std::string text = as_text(report);
   print_report(std::move(report), text, warnings, options);

@@ -58,7 +58,8 @@ int run(const Options& options) {
                                                {"homology", run_homology},
                                                {"persistence", run_persistence},
                                                {"delaunay", run_delaunay},
-                                               {"voronoi", run_voronoi}};
+                                               {"voronoi", run_voronoi},
+                                               {"alpha", run_alpha}};
   return runs.at(options.command)(options, context);
 }
 

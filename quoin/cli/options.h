@@ -51,13 +51,18 @@ struct Options {
   bool infinitesimal = false;           ///< of `assembly`: only what can begin to move
   bool prune = false;                   ///< of `assembly`: first leave out where nothing moves
   bool one_part = false;                ///< of `assembly`: one part at a time
-  std::string input_format;             ///< of `delaunay` and `voronoi`: a name of PointFormat; empty: told by content
-  bool onto_plane = false;              ///< of the same: x and y count
-  bool weighted = false;                ///< of `delaunay`: the last column is a weight
-  bool check = false;                   ///< of `delaunay`: prove the result
-  bool cells = false;                   ///< of `voronoi`: each cell in the report
-  bool exact = false;                   ///< of `voronoi`: exact volumes at any length
-  std::optional<double> memory;         ///< of `delaunay` and `voronoi`: megabytes
+  std::string input_format;      ///< of `delaunay`, `voronoi`, `alpha`: a name of PointFormat; empty: told by content
+  bool onto_plane = false;       ///< of the same: x and y count
+  bool weighted = false;         ///< of `delaunay` and `alpha`: the last column is a weight
+  bool check = false;            ///< of `delaunay`: prove the result
+  bool cells = false;            ///< of `voronoi`: each cell in the report
+  bool exact = false;            ///< of `voronoi`: exact volumes at any length; of `alpha`: exact values
+  std::optional<double> memory;  ///< of `delaunay`, `voronoi` and `alpha`: megabytes
+  std::string value;             ///< of `alpha`: a squared radius
+  std::string radius;            ///< of `alpha`
+  std::optional<std::size_t> pieces;  ///< of `alpha`: no more than these
+  bool values = false;                ///< of `alpha`: all critical values in the report
+  std::string graph;                  ///< of `alpha`: gabriel, relative-neighbours or spanning-tree
   bool json = false;
   bool quiet = false;
   bool verbose = false;

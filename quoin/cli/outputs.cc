@@ -97,6 +97,7 @@ class OutputWriter {
       case Target::Kind::planar_page:
       case Target::Kind::report:
       case Target::Kind::grid:
+      case Target::Kind::simplices:
         break;
     }
     throw InternalError(target.name + ": solids are not written as drawings");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "quoin/cli/point_input.h"
 
+#include <algorithm>
+
 #include "quoin/cli/inputs.h"
 
 namespace quoin::cli {
@@ -25,6 +27,24 @@ std::vector<Point2> plane_points(const PointFile& file) {
   points.reserve(file.points.size());
   for (const Point3& p : file.points) points.push_back({p.x, p.y});
   return points;
+}
+
+std::size_t distinct_places(const PointFile& file) {
+  std::vector<Point2> places = plane_points(file);
+  std::ranges::sort(places, [](const Point2& a, const Point2& b) { return lexicographically_less(a, b); });
+  return static_cast<std::size_t>(std::unique(places.begin(), places.end()) - places.begin());
+}
+
+void warn_of_points(std::size_t heights_lost, int dimension, const Options& options, bool of_plane,
+                    std::vector<std::string>& warnings) {
+  if (heights_lost > 0) {
+    warnings.push_back(shown(options.inputs[0]) + ": " + std::to_string(heights_lost) +
+                       " points have the x and y of others and another third coordinate: the first one's is kept");
+  }
+  if (dimension >= (of_plane ? 2 : 3)) return;
+  static constexpr const char* flats[] = {"are all equal", "lie on one line: cells are edges",
+                                          "lie in one plane: cells are triangles"};
+  warnings.push_back(shown(options.inputs[0]) + ": the points " + flats[dimension]);
 }
 
 nlohmann::ordered_json describe(const PointFile& file, const Options& options) {

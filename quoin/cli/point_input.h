@@ -20,6 +20,14 @@ bool is_of_plane(const PointFile& file, const Options& options);
 /// x and y of all points.
 std::vector<Point2> plane_points(const PointFile& file);
 
+/// How many different places points of the plane have.
+std::size_t distinct_places(const PointFile& file);
+
+/// What is to be said of points of the plane whose third coordinate is not kept, and of points that span less than they
+/// have coordinates.
+void warn_of_points(std::size_t heights_lost, int dimension, const Options& options, bool of_plane,
+                    std::vector<std::string>& warnings);
+
 /// The first keys of a report: format, points, coordinates, missing where some are.
 nlohmann::ordered_json describe(const PointFile& file, const Options& options);
 

@@ -67,12 +67,13 @@ Target planar_target(const std::string& name, const std::string& ending, const O
   return target;
 }
 
-Target cells_target(const std::string& name, const std::string& ending) {
+Target cells_target(const std::string& name, const std::string& ending, bool has_text) {
   if (ending == ".vtk") return {name, Target::Kind::grid};
+  if (ending == ".txt" && has_text) return {name, Target::Kind::simplices};
   const auto format = format_from_path("x" + ending);
   if (!format || is_triangles_only(*format)) {
     throw UsageError((name == standard_stream ? "--format '" + ending.substr(1) + "'" : name + ": the ending") +
-                     " tells no format that is written (vtk, ply, obj, off)");
+                     " tells no format that is written (vtk, ply, obj, off" + (has_text ? ", txt)" : ")"));
   }
   return {name, Target::Kind::mesh, *format};
 }
@@ -95,9 +96,10 @@ Target target_of(const std::string& name, const Options& options) {
     if (name != standard_stream) return plan_target(name, ending_of(name));
     return plan_target(name, in_small_letters("." + (options.format.empty() ? "json" : options.format)));
   }
-  if (options.command == "delaunay" || options.command == "voronoi") {
-    if (name != standard_stream) return cells_target(name, ending_of(name));
-    return cells_target(name, in_small_letters("." + (options.format.empty() ? "vtk" : options.format)));
+  if (options.command == "delaunay" || options.command == "voronoi" || options.command == "alpha") {
+    const bool has_text = options.command == "alpha";
+    if (name != standard_stream) return cells_target(name, ending_of(name), has_text);
+    return cells_target(name, in_small_letters("." + (options.format.empty() ? "vtk" : options.format)), has_text);
   }
   if (options.command == "section") return drawing_target(name);
   if (options.command == "distance") return trail_target(name);

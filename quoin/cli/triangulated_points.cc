@@ -142,9 +142,7 @@ TriangulatedPoints triangulate_weighted_plane(const PointFile& file, const Trian
   const Regular2 t(points, context);
   TriangulatedPoints result = take_plane(t, nullptr, options.is_written, context);
   result.hidden = t.hidden().size();
-  std::vector<Point2> places = plane_points(file);
-  std::ranges::sort(places, [](const Point2& a, const Point2& b) { return lexicographically_less(a, b); });
-  result.distinct = static_cast<std::size_t>(std::unique(places.begin(), places.end()) - places.begin());
+  result.distinct = distinct_places(file);
   return result;
 }
 

@@ -155,8 +155,9 @@ int run_voronoi(const Options& options, const Context& context) {
   report["infinite_cells"] = cells->site_count() - bounded;
   if (!options.outputs.empty() && bounded < cells->site_count())
     warnings.push_back(std::to_string(cells->site_count() - bounded) + " cells are infinite and are not written");
-  write_cells([&] { return grid_of(*cells, sizes, of_plane, context); }, [&] { return cells->mesh(context); }, options,
-              warnings, context);
+  write_cells(
+      {.grid = [&] { return grid_of(*cells, sizes, of_plane, context); }, .mesh = [&] { return cells->mesh(context); }},
+      options, warnings, context);
   std::string text = as_text(report);
   if (options.cells) {
     report["cells"] = list_of(*cells, sizes, file, of_plane, context);

@@ -3,7 +3,7 @@
 _quoin() {
   local word="${COMP_WORDS[COMP_CWORD]}" previous="${COMP_WORDS[COMP_CWORD - 1]}"
   local commands="union intersection difference xor csg info check repair convert view classify section interfere \
-hull minkowski erode decompose gaussian-map distance width homology persistence delaunay voronoi assembly arrange overlay locate polygon envelope"
+hull minkowski erode decompose gaussian-map distance width homology persistence delaunay voronoi alpha assembly arrange overlay locate polygon envelope"
   local common="--json --threads --timeout --seed --weld -q --quiet -v --verbose -h --help"
   local makes="-o --output --format --accept-rounding"
   local draws="-o --output --format --labels"
@@ -24,6 +24,7 @@ hull minkowski erode decompose gaussian-map distance width homology persistence 
         arrange | overlay | locate | gaussian-map) formats="svg html" ;;
         assembly) formats="json html" ;;
         delaunay | voronoi) formats="vtk ply obj off" ;;
+        alpha) formats="vtk ply obj off txt" ;;
         polygon) formats="wkt geojson dxf svg html" ;;
       esac
       mapfile -t COMPREPLY < <(compgen -W "$formats" -- "$word")
@@ -37,8 +38,12 @@ hull minkowski erode decompose gaussian-map distance width homology persistence 
       mapfile -t COMPREPLY < <(compgen -W "xyz pts csv ply obj off pcd" -- "$word")
       return
       ;;
+    --graph)
+      mapfile -t COMPREPLY < <(compgen -W "gabriel relative-neighbours spanning-tree" -- "$word")
+      return
+      ;;
     --plane) [[ ${COMP_WORDS[1]} == section ]] && return ;;
-    --memory | --ball | --within | --translate | --direction | --prime | --threads | --timeout | --seed | --weld | --point | --line | --flatten | --distance | --precision | --base | --limit) return ;;
+    --memory | --value | --radius | --pieces | --ball | --within | --translate | --direction | --prime | --threads | --timeout | --seed | --weld | --point | --line | --flatten | --distance | --precision | --base | --limit) return ;;
   esac
   if [[ $word == -* ]]; then
     local options="$common"
@@ -50,6 +55,9 @@ hull minkowski erode decompose gaussian-map distance width homology persistence 
       persistence) options+=" --prime --barcode -o --output" ;;
       delaunay) options+=" -o --output --format --input-format --plane --memory --weighted --check" ;;
       voronoi) options+=" -o --output --format --input-format --plane --memory --cells --exact" ;;
+      alpha)
+        options+=" -o --output --format --input-format --plane --memory --weighted --value --radius --pieces --values --exact --graph"
+        ;;
       assembly)
         options+=" -o --output --format --sequence --sequence-only --infinitesimal --direction --one-part --base --prune --limit"
         ;;
