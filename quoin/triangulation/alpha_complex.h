@@ -52,7 +52,7 @@ class AlphaComplex {
   /// The nearest double, ties to even; infinite beyond the largest. Computed each time, as a rule in less than a
   /// microsecond.
   double value(std::uint32_t grade) const {
-    return spheres_.nearest_power(complex().vertices(simplex_of_grade_[grade]));
+    return spheres_.nearest_power(complex().vertices(simplex_of_grade_[grade])) + 0.0;  // not the negative zero
   }
   Rational exact_value(std::uint32_t grade) const;
   /// A simplex the smallest sphere of which has the value: of the highest dimension the first by vertices.

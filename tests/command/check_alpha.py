@@ -63,6 +63,7 @@ class Values(CommandTest):
         self.assertEqual((report["values"], report["exact_values"]), ([0, 0.25, 0.5, 0.75], ["0", "1/4", "1/2", "3/4"]))
         self.assertEqual((report["shape"]["betti"], report["shape"]["pieces"]), ([1, 0, 0], 1))
         self.assertNotIn("value", report)
+        self.assertNotIn("-0", self.run_quoin("alpha", "c.xyz", "--values").stdout)
         for words, betti, pieces in ((["--value", "0"], [8, 0, 0], 0), (["--value", "0.25"], [1, 5, 0], 0),
                                      (["--radius", ".5"], [1, 5, 0], 0), (["--value", "1/2"], [1, 0, 1], 0),
                                      (["--value", "0.7499"], [1, 0, 1], 0), (["--value", "3/4"], [1, 0, 0], 1),
