@@ -40,7 +40,7 @@ struct StableSurface {
 };
 
 /// The stable surface of a critical polygon, by following the flow backwards through Voronoi facets, from the polygon's
-/// sides to critical edges. Exact. Expected O(1); the sum over all polygons is about that of a triangulation's cost.
+/// sides to critical edges. Exact. O(k) for k facets with rings of bounded size.
 /// The complex must outlive the surface. @throws InputError if the polygon is not critical; Cancelled
 /// Source: Giesen and John 2003; section 2.3 of Cazals, Parameswaran and Pion.
 StableSurface stable_surface(const FlowComplex& flow, std::uint32_t polygon, const Context& context);
