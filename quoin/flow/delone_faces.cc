@@ -85,7 +85,8 @@ void DeloneFaces::find_incidences() {
   const auto polygons = static_cast<std::uint32_t>(polygon_cells_.size());
   group(edges_.size(), ring_begin_, ring_, [&](const auto& add) {
     for (std::uint32_t f = 0; f < polygons; ++f) {
-      for (std::size_t i = 0; i < sides(f).size(); ++i) add(sides(f)[i], RingPolygon{f, apex(f, i)});
+      for (std::size_t i = 0; i < sides(f).size(); ++i)
+        add(sides(f)[i], RingPolygon{f, apex(f, i), static_cast<std::uint32_t>(i)});
     }
   });
   group(cell_begin_.size() - 1, cell_polygons_begin_, cell_polygons_, [&](const auto& add) {

@@ -25,6 +25,7 @@ struct DeloneFace {
 struct RingPolygon {
   std::uint32_t polygon;
   std::uint32_t apex;
+  std::uint32_t side;  ///< place of the edge among the sides of the polygon
 };
 
 /// Vertices, edges, polygons and cells of the Delone complex of points of any affine dimension, and which is a face of

@@ -43,7 +43,7 @@ class Crossing {
 
   FacetExit run() {
     if (way_ == Sign::negative && !has_any(Sign::negative)) return at_midpoint();
-    if (polygon_ != none) {
+    if (polygon_ != none && points_.numbers() == FlowNumbers::filtered) {
       const Interval t = points_.place(point_, polygon_);
       if (std::isfinite(t.lower()) && std::isfinite(t.upper())) {
         const LineFromMidpoint<Interval> line(flow_, edge_, polygon_, apex_of(polygon_));
@@ -60,12 +60,10 @@ class Crossing {
 
  private:
   std::uint32_t apex_of(std::uint32_t polygon) const { return faces_.apex(polygon, faces_.side_of(polygon, edge_)); }
-  Sign power(std::uint32_t polygon) const {
-    return flow_.signs().at_side(faces_, polygon, faces_.side_of(polygon, edge_));
-  }
+  Sign power(const RingPolygon& g) const { return flow_.signs().at_side(faces_, g.polygon, g.side); }
   bool has_any(Sign sign) const {
     const std::span<const RingPolygon> ring = faces_.ring(edge_);
-    return std::any_of(ring.begin(), ring.end(), [&](const RingPolygon& g) { return power(g.polygon) == sign; });
+    return std::any_of(ring.begin(), ring.end(), [&](const RingPolygon& g) { return power(g) == sign; });
   }
 
   Vector<Rational> exact_start() {
@@ -86,7 +84,7 @@ class Crossing {
     N best_power;
     N best_slope;
     for (const RingPolygon& g : faces_.ring(edge_)) {
-      if (power(g.polygon) != way_) continue;
+      if (power(g) != way_) continue;
       const FacetLine<N> line(flow_, edge_, g.apex);
       const N slope = dot(y, line.direction);
       std::optional<Sign> later = Sign::negative;
@@ -135,7 +133,7 @@ class Crossing {
   FacetExit at_midpoint() {
     First touching;
     for (const RingPolygon& g : faces_.ring(edge_)) {
-      if (power(g.polygon) == Sign::zero) touching = {g.polygon, g.apex, touching.polygon};
+      if (power(g) == Sign::zero) touching = {g.polygon, g.apex, touching.polygon};
     }
     if (touching.polygon == none) return {FacetExit::Kind::midpoint, points_.add_centre({1, edge_}), true};
     if (touching.tied == none) return {FacetExit::Kind::edge, points_.add_centre({2, touching.polygon}), true};

@@ -14,7 +14,7 @@ std::uint32_t FlowPoints::add(Node node) {
 }
 
 std::uint32_t FlowPoints::add_centre(DeloneFace face) {
-  return add({.face = face, .is_centre = true, .t = {}, .exact_t = Rational(0)});
+  return add({.face = face, .is_centre = true, .t = {}});
 }
 
 std::uint32_t FlowPoints::add_place(const RationalPoint3& place, DeloneFace face) {
@@ -70,10 +70,13 @@ Rational FlowPoints::landing(const Node& node) {
 
 // From the last known point on, without recursion: chains are as long as orbits.
 const Rational& FlowPoints::exact_t(std::uint32_t point) {
+  static const Rational zero;
+  if (points_[point].is_centre) return zero;
   std::vector<std::uint32_t> open;
-  for (std::uint32_t at = point; points_[at].face.dimension == 2 && !points_[at].exact_t; at = points_[at].parent) {
-    open.push_back(at);
-  }
+  const auto is_open = [this](const Node& node) {
+    return node.face.dimension == 2 && !node.is_centre && !node.exact_t;
+  };
+  for (std::uint32_t at = point; is_open(points_[at]); at = points_[at].parent) open.push_back(at);
   for (; !open.empty(); open.pop_back()) {
     Node& node = points_[open.back()];
     node.exact_t = landing(node);
@@ -85,7 +88,7 @@ const Rational& FlowPoints::exact_t(std::uint32_t point) {
 
 Sign FlowPoints::side(std::uint32_t point) {
   const std::optional<Sign> sign = points_[point].t.sign();
-  return sign ? *sign : exact_t(point).sign();
+  return sign && numbers_ == FlowNumbers::filtered ? *sign : exact_t(point).sign();
 }
 
 RationalPoint3 FlowPoints::exact(std::uint32_t point) {

@@ -12,6 +12,12 @@
 
 namespace quoin {
 
+/// How questions about constructed points are answered; the answers are the same.
+enum class FlowNumbers {
+  filtered,  ///< by intervals, and by rationals where those cannot decide
+  exact      ///< by rationals alone
+};
+
 /// Points that the flow constructs one from another, exact, evaluated as far as somebody asks.
 ///
 /// A point on a Voronoi edge is one number t on the edge's line: an interval that is kept, and a rational that is
@@ -23,9 +29,11 @@ class FlowPoints {
   static constexpr std::uint32_t none = 0xFFFFFFFF;
 
   /// The complex must outlive it.
-  explicit FlowPoints(const FlowComplex& flow) : flow_(&flow) {}
+  explicit FlowPoints(const FlowComplex& flow, FlowNumbers numbers = FlowNumbers::filtered)
+      : flow_(&flow), numbers_(numbers) {}
 
   const FlowComplex& complex() const { return *flow_; }
+  FlowNumbers numbers() const { return numbers_; }
   std::uint32_t size() const { return static_cast<std::uint32_t>(points_.size()); }
 
   /// The centre of a face that is on its dual: an input point, a midpoint, a circumcentre.
@@ -69,6 +77,7 @@ class FlowPoints {
   const Rational& exact_t(std::uint32_t point);
 
   const FlowComplex* flow_;
+  FlowNumbers numbers_;
   std::vector<Node> points_;
   std::size_t exact_count_ = 0;
 };

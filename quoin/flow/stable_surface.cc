@@ -17,8 +17,8 @@ struct Open {
 
 class Follower {
  public:
-  Follower(const FlowComplex& flow, std::uint32_t polygon)
-      : flow_(flow), surface_{.polygon = polygon, .points = FlowPoints(flow), .triangles = {}, .sides = {}} {
+  Follower(const FlowComplex& flow, std::uint32_t polygon, FlowNumbers numbers)
+      : flow_(flow), surface_{.polygon = polygon, .points = FlowPoints(flow, numbers), .triangles = {}, .sides = {}} {
     enter(surface_.points.add_centre({2, polygon}), 1);
   }
 
@@ -62,11 +62,12 @@ class Follower {
 
 }  // namespace
 
-StableSurface stable_surface(const FlowComplex& flow, std::uint32_t polygon, const Context& context) {
+StableSurface stable_surface(const FlowComplex& flow, std::uint32_t polygon, const Context& context,
+                             FlowNumbers numbers) {
   if (polygon >= flow.faces().count(2) || !flow.is_critical({2, polygon})) {
     throw InputError("a stable surface of a polygon that is not critical");
   }
-  return Follower(flow, polygon).run(context);
+  return Follower(flow, polygon, numbers).run(context);
 }
 
 }  // namespace quoin

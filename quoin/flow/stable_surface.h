@@ -43,6 +43,7 @@ struct StableSurface {
 /// sides to critical edges. Exact. O(k) for k facets with rings of bounded size.
 /// The complex must outlive the surface. @throws InputError if the polygon is not critical; Cancelled
 /// Source: Giesen and John 2003; section 2.3 of Cazals, Parameswaran and Pion.
-StableSurface stable_surface(const FlowComplex& flow, std::uint32_t polygon, const Context& context);
+StableSurface stable_surface(const FlowComplex& flow, std::uint32_t polygon, const Context& context,
+                             FlowNumbers numbers = FlowNumbers::filtered);
 
 }  // namespace quoin

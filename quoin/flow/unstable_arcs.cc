@@ -19,10 +19,10 @@ UnstableArc joined(const UnstableArc& first, const UnstableArc& rest) {
 
 }  // namespace
 
-ArcTracer::ArcTracer(const FlowComplex& flow, AtRegularPoint at_regular)
+ArcTracer::ArcTracer(const FlowComplex& flow, AtRegularPoint at_regular, FlowNumbers numbers)
     : flow_(flow),
       at_regular_(at_regular),
-      points_(flow),
+      points_(flow, numbers),
       known_(flow.faces().count(3)),
       is_known_(flow.faces().count(3), false) {}
 

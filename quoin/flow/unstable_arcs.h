@@ -30,7 +30,8 @@ struct UnstableArcs {
 class ArcTracer {
  public:
   /// The complex must outlive it. O(n) memory for n cells.
-  explicit ArcTracer(const FlowComplex& flow, AtRegularPoint at_regular = AtRegularPoint::pass);
+  explicit ArcTracer(const FlowComplex& flow, AtRegularPoint at_regular = AtRegularPoint::pass,
+                     FlowNumbers numbers = FlowNumbers::filtered);
 
   /// Ends are maxima for points in general position; else also other stationary points, `end` says which.
   /// @throws InputError if the polygon is not critical; Cancelled
