@@ -73,9 +73,7 @@ const Rational& FlowPoints::exact_t(std::uint32_t point) {
   static const Rational zero;
   if (points_[point].is_centre) return zero;
   std::vector<std::uint32_t> open;
-  const auto is_open = [this](const Node& node) {
-    return node.face.dimension == 2 && !node.is_centre && !node.exact_t;
-  };
+  const auto is_open = [](const Node& node) { return node.face.dimension == 2 && !node.is_centre && !node.exact_t; };
   for (std::uint32_t at = point; is_open(points_[at]); at = points_[at].parent) open.push_back(at);
   for (; !open.empty(); open.pop_back()) {
     Node& node = points_[open.back()];

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quoin/flow/flow_cells.h"
+
+#include <algorithm>
+
+#include "quoin/base/error.h"
+
+namespace quoin {
+
+namespace {
+
+// Ways: slots of facets, 4 + numbers of edges, and these.
+constexpr std::uint8_t is_maximum = 10;
+constexpr std::uint8_t is_regular = 11;
+constexpr std::uint8_t is_cluster = 12;
+constexpr std::uint8_t is_member = 13;
+constexpr std::uint8_t is_unknown = 14;
+
+CellWay way_of(std::uint8_t code, std::uint32_t cell) {
+  if (code < 4) return {CellWay::Kind::facet, cell, code};
+  if (code < is_maximum) return {CellWay::Kind::edge, cell, code - 4U};
+  return {code == is_maximum ? CellWay::Kind::maximum : CellWay::Kind::regular, cell, 0};
+}
+
+}  // namespace
+
+FlowCells::FlowCells(const Delaunay3& triangulation, const Context& context)
+    : triangulation_(triangulation), cells_(triangulation.cells()), signs_(triangulation.signs()) {
+  if (triangulation.dimension() != 3) throw InputError("a survey of the flow needs points that are not in one plane");
+  rows_.resize(cells_.size());
+  counts_[0] = triangulation.vertex_count();
+  find_shapes(context);
+  find_critical_edges(context);
+  find_ways(context);
+  find_saddles(context);
+}
+
+void FlowCells::find_shapes(const Context& context) {
+  CellSigns signs(triangulation_);
+  for (std::uint32_t c = 0; c < cells_.size(); ++c) {
+    if (c % 1024 == 0) context.poll();
+    if (is_ghost(c)) continue;
+    unsigned tested = 0;
+    for (unsigned i = 0; i < 4; ++i) {
+      const std::uint32_t other = cells_[c].neighbours[i] >> 2;
+      if (other > c && !is_ghost(other)) tested |= 1U << i;
+    }
+    unsigned spheres = 0;
+    rows_[c].shape = signs.shape(c, tested, spheres);
+    unsigned edges = 63;
+    for (unsigned i = 0; i < 4; ++i) {
+      const unsigned corner = rows_[c].shape.wide_corner(i);
+      if (corner != i) edges &= ~(1U << (5 - edge_number[i][corner]));
+      if ((spheres >> i & 1) == 0) continue;
+      const CellFacet other = mate({c, i});
+      rows_[c].bits = static_cast<std::uint8_t>(rows_[c].bits | 1U << i);
+      rows_[other.cell].bits = static_cast<std::uint8_t>(rows_[other.cell].bits | 1U << other.slot);
+    }
+    rows_[c].edges = static_cast<std::uint8_t>(edges);
+  }
+  undecided_ = signs.undecided();
+}
+
+// Critical if no corner opposite to it, all around, is right or obtuse. Simplices before this one know the answer.
+bool FlowCells::is_empty_around(std::uint32_t cell, unsigned edge, bool& is_first) const {
+  const unsigned from = edge_slots[edge][0];
+  const unsigned to = edge_slots[edge][1];
+  const RingPlace start{cell, other_slots[from][to].behind, other_slots[from][to].ahead};
+  for (RingPlace at = start.next(cells_); at.cell != cell; at = at.next(cells_)) {
+    if (is_ghost(at.cell)) continue;
+    const bool is_empty = is_critical_edge(at.cell, 5 - edge_number[at.behind][at.ahead]);
+    if (at.cell < cell || !is_empty) {
+      is_first = false;
+      return is_empty;
+    }
+  }
+  return true;
+}
+
+void FlowCells::find_critical_edges(const Context& context) {
+  for (std::uint32_t c = 0; c < cells_.size(); ++c) {
+    if (c % 1024 == 0) context.poll();
+    for (unsigned e = 0; e < 6; ++e) {
+      if (!is_critical_edge(c, e)) continue;
+      bool is_first = true;
+      if (!is_empty_around(c, e, is_first)) rows_[c].edges = static_cast<std::uint8_t>(rows_[c].edges & ~(1U << e));
+      if (is_first) ++counts_[1];
+    }
+  }
+}
+
+void FlowCells::find_saddles(const Context& context) {
+  for (std::uint32_t c = 0; c < cells_.size(); ++c) {
+    if (c % 1024 == 0) context.poll();
+    if (is_ghost(c)) continue;
+    const CellShape& shape = rows_[c].shape;
+    for (unsigned i = 0; i < 4; ++i) {
+      const CellFacet other = mate({c, i});
+      const bool is_hull = is_ghost(other.cell);
+      if (shape.centre_sign(i) != Sign::positive || (!is_hull && c > other.cell)) continue;
+      if (!is_hull && rows_[other.cell].shape.centre_sign(other.slot) != Sign::positive) continue;
+      if (is_triangle({c, i})) {
+        if (!shape.is_acute(i)) continue;
+      } else {
+        if ((inner(c) >> i & 1) != 0) continue;
+        bool is_first = true;
+        for (const CellFacet& part : polygon({c, i})) {
+          const CellFacet back = mate(part);
+          const CellFacet& low = !is_ghost(back.cell) && back.cell < part.cell ? back : part;
+          is_first &= CellFacet{c, i}.number() <= low.number();
+        }
+        if (!is_first || !is_critical_polygon({c, i})) continue;
+      }
+      rows_[c].bits = static_cast<std::uint8_t>(rows_[c].bits | 16U << i);
+      ++counts_[2];
+    }
+  }
+}
+
+std::uint8_t FlowCells::simple_way(const CellShape& shape) const {
+  Sign least = Sign::positive;
+  for (unsigned i = 0; i < 4; ++i) {
+    const Sign sign = shape.centre_sign(i);
+    least = std::min(least, sign);
+    if (sign == Sign::negative && shape.obtuse_corner(i) == i) return static_cast<std::uint8_t>(i);
+  }
+  if (least != Sign::negative) return least == Sign::positive ? is_maximum : is_regular;
+  for (unsigned i = 0; i < 4; ++i) {
+    const unsigned j = shape.obtuse_corner(i);
+    if (j != i && shape.obtuse_corner(j) == i) return static_cast<std::uint8_t>(4 + 5 - edge_number[i][j]);
+  }
+  return is_regular;
+}
+
+void FlowCells::find_ways(const Context& context) {
+  for (Row& row : rows_) row.way = is_unknown;
+  for (std::uint32_t c = 0; c < cells_.size(); ++c) {
+    if (c % 1024 == 0) context.poll();
+    if (is_ghost(c) || rows_[c].way != is_unknown) continue;
+    if (inner(c) == 0) {
+      rows_[c].way = simple_way(rows_[c].shape);
+      counts_[3] += rows_[c].way == is_maximum ? 1 : 0;
+    } else {
+      find_cluster_way(c);
+    }
+  }
+  std::sort(members_.begin(), members_.end(), [](const Member& a, const Member& b) { return a.cell < b.cell; });
+}
+
+void FlowCells::find_cluster_way(std::uint32_t first) {
+  for (const std::uint32_t c : cluster(first)) {
+    rows_[c].way = c == first ? is_cluster : is_member;
+    if (c != first) members_.push_back({c, first});
+  }
+  Sign least = Sign::positive;
+  CellWay way{CellWay::Kind::regular, first, 0};
+  const std::vector<CellFacet> facets = polygons_of(first);
+  for (const CellFacet& f : facets) {
+    const Sign sign = shape(f.cell).centre_sign(f.slot);
+    least = std::min(least, sign);
+    if (sign == Sign::negative && way_of_polygon(f).corner == way_of_polygon(f).facet.slot) {
+      way = {CellWay::Kind::facet, f.cell, f.slot};
+    }
+  }
+  if (least == Sign::positive) {
+    way.kind = CellWay::Kind::maximum;
+    ++counts_[3];
+  }
+  for (std::size_t at = 0; least == Sign::negative && way.kind == CellWay::Kind::regular && at < facets.size(); ++at) {
+    const CellFacet& f = facets[at];
+    const unsigned corner = shape(f.cell).obtuse_corner(f.slot);
+    if (corner == f.slot || is_inside_polygon({f, corner})) continue;
+    const CellSide other = turned_inside({f, corner});
+    if (shape(other.facet.cell).obtuse_corner(other.facet.slot) != other.corner) continue;
+    way = {CellWay::Kind::edge, f.cell, 5 - edge_number[f.slot][corner]};
+  }
+  cluster_ways_.push_back({first, way});
+}
+
+std::uint32_t FlowCells::first_of(std::uint32_t cell) const {
+  if (rows_[cell].way != is_member) return cell;
+  return std::lower_bound(members_.begin(), members_.end(), cell,
+                          [](const Member& m, std::uint32_t c) { return m.cell < c; })
+      ->first;
+}
+
+CellWay FlowCells::way(std::uint32_t cell) const {
+  const std::uint32_t first = first_of(cell);
+  if (rows_[first].way != is_cluster) return way_of(rows_[first].way, first);
+  return std::lower_bound(cluster_ways_.begin(), cluster_ways_.end(), first,
+                          [](const ClusterWay& w, std::uint32_t c) { return w.first < c; })
+      ->way;
+}
+
+}  // namespace quoin

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "quoin/base/context.h"
+#include "quoin/flow/cell_ring.h"
+#include "quoin/flow/cell_signs.h"
+
+namespace quoin {
+
+/// A facet of a simplex, by its slot, or an edge of a facet, opposite to a corner of it.
+struct CellFacet {
+  std::uint32_t cell = 0;
+  unsigned slot = 0;
+
+  std::uint32_t number() const { return cell * 4 + slot; }
+  friend bool operator==(const CellFacet&, const CellFacet&) = default;
+};
+struct CellSide {
+  CellFacet facet;
+  unsigned corner = 0;  ///< the side is opposite to it
+};
+
+/// Where orbits go on from a Voronoi vertex.
+struct CellWay {
+  enum class Kind : std::uint8_t {
+    facet,    ///< along the Voronoi edge of a polygon
+    edge,     ///< through the Voronoi facet of an edge
+    maximum,  ///< nowhere: a critical point
+    regular   ///< nowhere: a stationary point that is not critical
+  };
+  Kind kind = Kind::maximum;
+  std::uint32_t cell = 0;
+  unsigned place = 0;  ///< slot of the facet, or number of the edge
+};
+
+/// What FlowComplex knows of Delone faces, as a few bytes of each simplex of the triangulation: for surveys of all that
+/// flows among millions of points. The same answers; of dimension 3 only. A Delone cell is named by the first of its
+/// simplices, a polygon by the least number of a facet of it.
+///
+/// Exact for all finite doubles. Six bytes per simplex. Source: as FlowComplex.
+class FlowCells {
+ public:
+  /// O(n) for n simplices and Delone cells of bounded size. The triangulation must outlive it.
+  /// @throws InputError for points of a plane or line; Cancelled
+  FlowCells(const Delaunay3& triangulation, const Context& context);
+
+  const Delaunay3& triangulation() const { return triangulation_; }
+  std::span<const TriangulationCell> cells() const { return cells_; }
+  bool is_ghost(std::uint32_t cell) const { return cells_[cell].vertices[3] == vertex_at_infinity; }
+  const CellShape& shape(std::uint32_t cell) const { return rows_[cell].shape; }
+
+  /// Critical points by index.
+  const std::array<std::size_t, 4>& counts() const { return counts_; }
+  const CellSignCounts& undecided() const { return undecided_; }
+
+  /// Whether the edge of this number is critical.
+  bool is_critical_edge(std::uint32_t cell, unsigned edge) const { return (rows_[cell].edges >> edge & 1) != 0; }
+  /// Whether the facet is the one that names a critical polygon.
+  bool is_critical_facet(std::uint32_t cell, unsigned slot) const { return (rows_[cell].bits >> (4 + slot) & 1) != 0; }
+  /// Calls `visit(CellFacet)` for each critical polygon, ascending.
+  template <class Visit>
+  void for_each_saddle(const Context& context, const Visit& visit) const {
+    for (std::uint32_t c = 0; c < rows_.size(); ++c) {
+      if (c % 4096 == 0) context.poll();
+      for (unsigned bits = rows_[c].bits >> 4, i = 0; bits != 0; bits >>= 1, ++i) {
+        if ((bits & 1) != 0) visit(CellFacet{c, i});
+      }
+    }
+  }
+
+  /// The simplex that names the Delone cell of a simplex.
+  std::uint32_t first_of(std::uint32_t cell) const;
+  /// Where orbits go on from a Delone cell, given by any of its simplices.
+  CellWay way(std::uint32_t cell) const;
+  /// The facet behind whose polygon an orbit goes on if it passes the stationary point of a cell, as ArcTracer does.
+  CellFacet way_past(std::uint32_t cell) const;
+  /// The side of a polygon, given by any facet of it, in whose facet orbits go on; a corner equal to the slot if they
+  /// stay on the polygon's Voronoi edge.
+  CellSide way_of_polygon(CellFacet facet) const;
+  /// Whether a stationary orbit on the polygon's own Voronoi edge is at a critical point.
+  bool is_critical_polygon(CellFacet facet) const;
+  /// Whether the Delone cell has a smaller number than the other, in the order of DeloneComplex; no ghosts.
+  bool is_before(std::uint32_t cell, std::uint32_t other) const;
+
+  /// Sides of a polygon from which orbits enter its Voronoi edge.
+  void entering_sides(CellFacet facet, std::vector<CellSide>& sides) const;
+  /// Edges of a Delone cell from which orbits enter its Voronoi vertex, each as the side of one polygon.
+  void entering_edges(std::uint32_t cell, std::vector<CellSide>& sides) const;
+  bool has_entering_polygon(std::uint32_t cell) const;
+
+  /// The same facet seen from the other side.
+  CellFacet mate(CellFacet facet) const {
+    const std::uint32_t other = cells_[facet.cell].neighbours[facet.slot];
+    return {other >> 2, other & 3};
+  }
+
+ private:
+  struct Row {
+    CellShape shape;
+    std::uint8_t bits = 0;   ///< slots with cospherical neighbours; from 4 on, facets that name critical polygons
+    std::uint8_t edges = 0;  ///< critical ones
+    std::uint8_t way = 0;
+  };
+  struct Member {
+    std::uint32_t cell;
+    std::uint32_t first;
+  };
+  struct ClusterWay {
+    std::uint32_t first;
+    CellWay way;
+  };
+  unsigned inner(std::uint32_t cell) const { return rows_[cell].bits & 15U; }
+  bool is_triangle(CellFacet facet) const;
+  CellSide turned_inside(CellSide side) const;
+  bool is_inside_polygon(CellSide side) const;
+  std::vector<CellFacet> polygon(CellFacet facet) const;
+  std::vector<std::uint32_t> cluster(std::uint32_t cell) const;
+  std::vector<CellFacet> polygons_of(std::uint32_t cell) const;
+  std::vector<std::uint32_t> vertices_of(std::uint32_t cell) const;
+
+  void find_shapes(const Context& context);
+  void find_critical_edges(const Context& context);
+  bool is_empty_around(std::uint32_t cell, unsigned edge, bool& is_first) const;
+  void find_saddles(const Context& context);
+  void find_ways(const Context& context);
+  void find_cluster_way(std::uint32_t first);
+  std::uint8_t simple_way(const CellShape& shape) const;
+
+  const Delaunay3& triangulation_;
+  std::span<const TriangulationCell> cells_;
+  DelaunaySigns signs_;
+  LargeVector<Row> rows_;
+  std::vector<Member> members_;  ///< simplices of larger Delone cells but the first, ascending
+  std::vector<ClusterWay> cluster_ways_;
+  std::array<std::size_t, 4> counts_{};
+  CellSignCounts undecided_;
+};
+
+}  // namespace quoin

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quoin/flow/flow_cells.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "quoin/base/error.h"
+#include "quoin/base/test_rounds.h"
+#include "quoin/flow/saddle_arcs.h"
+#include "quoin/flow/saddle_surfaces.h"
+#include "quoin/flow/stable_surface.h"
+#include "quoin/flow/unstable_arcs.h"
+#include "quoin/triangulation/test_clouds.h"
+
+namespace quoin {
+namespace {
+
+using testing::Random;
+
+const Context& context() {
+  static const Context one({.threads = 1});
+  return one;
+}
+
+/// Faces of both descriptions, by vertices.
+class Names {
+ public:
+  Names(const Delaunay3& triangulation, const FlowComplex& flow) : triangulation_(triangulation) {
+    for (unsigned d = 2; d < 4; ++d) {
+      for (std::uint32_t i = 0; i < flow.faces().count(d); ++i) {
+        const std::span<const std::uint32_t> v = flow.faces().vertices({d, i});
+        for (const std::uint32_t a : v) faces_of_[a].insert({d, i});
+      }
+    }
+  }
+  /// The face of the dimension with all these vertices.
+  DeloneFace of(unsigned dimension, std::vector<std::uint32_t> vertices) const {
+    DeloneFace found{0, 0};
+    for (const DeloneFace& face : faces_of_.at(vertices[0])) {
+      const bool has_all = std::all_of(vertices.begin(), vertices.end(),
+                                       [&](std::uint32_t v) { return faces_of_.at(v).contains(face); });
+      if (face.dimension == dimension && has_all) found = face;
+    }
+    return found;
+  }
+  DeloneFace of(CellFacet facet) const {
+    std::vector<std::uint32_t> vertices;
+    for (unsigned i = 0; i < 4; ++i) {
+      if (i != facet.slot) vertices.push_back(triangulation_.cells()[facet.cell].vertices[i]);
+    }
+    return of(2, vertices);
+  }
+  DeloneFace of_cell(std::uint32_t cell) const {
+    const auto& v = triangulation_.cells()[cell].vertices;
+    return of(3, {v.begin(), v.end()});
+  }
+
+ private:
+  const Delaunay3& triangulation_;
+  std::map<std::uint32_t, std::set<DeloneFace>> faces_of_;
+};
+
+using Piece = std::tuple<std::uint32_t, std::uint32_t, RationalPoint3, RationalPoint3, bool>;
+
+bool less(const RationalPoint3& a, const RationalPoint3& b) {
+  return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+}
+
+/// Pieces with exact points, in an order of their own.
+void sort(std::vector<Piece>& pieces) {
+  std::sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
+    if (std::get<0>(a) != std::get<0>(b)) return std::get<0>(a) < std::get<0>(b);
+    if (std::get<1>(a) != std::get<1>(b)) return std::get<1>(a) < std::get<1>(b);
+    if (std::get<2>(a) != std::get<2>(b)) return less(std::get<2>(a), std::get<2>(b));
+    return less(std::get<3>(a), std::get<3>(b));
+  });
+}
+
+void check_surface(const FlowComplex& flow, SaddleSurfaces& surfaces, const Delaunay3& triangulation, CellFacet saddle,
+                   std::uint32_t polygon) {
+  StableSurface expected = stable_surface(flow, polygon, context());
+  const SurfacePieces& found = surfaces.follow(saddle, context());
+  ASSERT_EQ(found.has_voronoi_vertex, expected.has_voronoi_vertex);
+  ASSERT_EQ(found.has_solid_part, expected.has_solid_part);
+  ASSERT_EQ(found.has_regular_point, expected.has_regular_point);
+  std::multiset<std::pair<std::array<std::uint32_t, 2>, unsigned>> sides;
+  for (const StableSide& side : expected.sides) sides.insert({flow.faces().edge(side.edge), side.depth});
+  std::vector<Piece> a;
+  std::vector<Piece> b;
+  for (std::size_t i = 0; i + 1 < expected.triangles.size(); i += 2) {
+    const StableTriangle& t = expected.triangles[i];
+    const std::uint32_t other = expected.triangles[i + 1].vertex;
+    a.emplace_back(std::min(t.vertex, other), std::max(t.vertex, other), expected.points.exact(t.towards),
+                   expected.points.exact(t.from), false);
+  }
+  const Rational unscale(triangulation.unscale());
+  const RationalPoint3 origin{};
+  for (const SurfacePiece& piece : found.pieces) {
+    const std::array<std::uint32_t, 2> edge{std::min(piece.edge[0], piece.edge[1]),
+                                            std::max(piece.edge[0], piece.edge[1])};
+    const RationalPoint3 middle =
+        (exact_point(triangulation.point(edge[0])) + exact_point(triangulation.point(edge[1]))) *
+        (Rational(1) / Rational(2));
+    const auto place = [&](std::uint32_t node) {
+      return node == CrossingChain::none ? middle : surfaces.chain().exact_point(node) * unscale;
+    };
+    b.emplace_back(edge[0], edge[1], place(piece.towards), place(piece.from), false);
+    if (piece.is_side) {
+      const auto at = sides.find({edge, piece.depth});
+      ASSERT_NE(at, sides.end());
+      sides.erase(at);
+    }
+  }
+  ASSERT_TRUE(sides.empty());
+  sort(a);
+  sort(b);
+  ASSERT_TRUE(a == b);
+}
+
+void check_arcs(const FlowComplex& flow, const Names& names, ArcTracer& tracer, SaddleArcs& arcs, CellFacet saddle,
+                std::uint32_t polygon) {
+  std::vector<std::tuple<bool, DeloneFace, std::size_t, bool>> a;
+  std::vector<std::tuple<bool, DeloneFace, std::size_t, bool>> b;
+  for (const UnstableArc& arc : tracer.trace(polygon, context()).arcs) {
+    const bool is_maximum = !arc.is_infinite && arc.end.dimension == 3;
+    a.emplace_back(arc.is_infinite, is_maximum ? arc.end : DeloneFace{}, arc.segments, arc.has_passed_regular);
+  }
+  for (const SaddleEnd& end : arcs.ends(saddle, context())) {
+    const bool is_maximum = end.kind == SaddleEnd::Kind::maximum;
+    b.emplace_back(end.kind == SaddleEnd::Kind::infinity, is_maximum ? names.of_cell(end.cell) : DeloneFace{},
+                   end.segments, end.has_passed_regular);
+    ASSERT_TRUE(!is_maximum || flow.is_critical(names.of_cell(end.cell)));
+  }
+  std::sort(a.begin(), a.end());
+  std::sort(b.begin(), b.end());
+  ASSERT_EQ(a, b);
+}
+
+struct Seen {
+  std::size_t undecided = 0;
+  std::size_t large_cells = 0;
+  std::size_t not_ordinary = 0;
+};
+
+/// The survey of simplices says what the complex of Delone faces says.
+void check(const std::vector<Point3>& points, Seen& seen) {
+  const Delaunay3 triangulation(points, context());
+  if (triangulation.dimension() < 3) {
+    ASSERT_THROW(FlowCells(triangulation, context()), InputError);
+    return;
+  }
+  const FlowComplex flow(triangulation, context());
+  const FlowCells cells(triangulation, context());
+  ASSERT_EQ(cells.counts(), flow.counts());
+  const Names names(triangulation, flow);
+  std::set<DeloneFace> saddles;
+  for (std::uint32_t c = 0; c < triangulation.cells().size(); ++c) {
+    if (triangulation.is_ghost(c)) continue;
+    const DeloneFace face = names.of_cell(c);
+    seen.large_cells += cells.first_of(c) != c ? 1 : 0;
+    ASSERT_EQ(names.of_cell(cells.first_of(c)), face);
+    const CellWay way = cells.way(c);
+    const DeloneFace crossed = flow.crossed(face);
+    ASSERT_EQ(way.kind == CellWay::Kind::facet, crossed.dimension == 2);
+    ASSERT_EQ(way.kind == CellWay::Kind::edge, crossed.dimension == 1);
+    ASSERT_EQ(way.kind == CellWay::Kind::maximum, flow.is_critical(face));
+    ASSERT_TRUE(way.kind != CellWay::Kind::facet || names.of(CellFacet{way.cell, way.place}) == crossed);
+  }
+  SaddleSurfaces surfaces(cells);
+  SaddleArcs arcs(cells);
+  ArcTracer tracer(flow);
+  cells.for_each_saddle(context(), [&](CellFacet saddle) {
+    const DeloneFace polygon = names.of(saddle);
+    ASSERT_TRUE(saddles.insert(polygon).second);
+    ASSERT_TRUE(flow.is_critical(polygon));
+    ASSERT_NO_FATAL_FAILURE(check_surface(flow, surfaces, triangulation, saddle, polygon.index));
+    ASSERT_NO_FATAL_FAILURE(check_arcs(flow, names, tracer, arcs, saddle, polygon.index));
+    seen.not_ordinary += surfaces.follow(saddle, context()).is_ordinary() ? 0 : 1;
+  });
+  seen.undecided += arcs.crosser().undecided_count() + surfaces.crosser().undecided_count();
+}
+
+TEST(FlowCells, SayWhatDeloneFacesSay) {
+  Random random(101);
+  Seen seen;
+  for (const testing::Cloud& cloud : testing::clouds(random, 40)) {
+    SCOPED_TRACE(cloud.name);
+    ASSERT_NO_FATAL_FAILURE(check(cloud.points, seen));
+  }
+  for (int round = 0; round < test_rounds(20); ++round) {
+    ASSERT_NO_FATAL_FAILURE(
+        check(testing::random_points(random, 30, [](Random& r) { return testing::small_integer(r, 3); }), seen));
+    ASSERT_NO_FATAL_FAILURE(
+        check(testing::random_points(random, 20, [](Random& r) { return testing::small_integer(r, 8); }), seen));
+    ASSERT_NO_FATAL_FAILURE(check(testing::random_points(random, 40, testing::unit), seen));
+  }
+  EXPECT_GT(seen.undecided, 0U);
+  EXPECT_GT(seen.large_cells, 0U);
+  EXPECT_GT(seen.not_ordinary, 0U);
+}
+
+// The closed formula of lattices: all their faces are critical.
+TEST(FlowCells, Lattices) {
+  for (const auto& [x, y, z] : {std::array{2, 2, 2}, {3, 3, 3}, {2, 3, 4}, {10, 10, 10}}) {
+    const Delaunay3 triangulation(testing::lattice(x, y, z), context());
+    const auto n = [](int a, int b, int c) { return static_cast<std::size_t>(a) * b * c; };
+    EXPECT_EQ(FlowCells(triangulation, context()).counts(),
+              (std::array{n(x, y, z), n(x - 1, y, z) + n(x, y - 1, z) + n(x, y, z - 1),
+                          n(x - 1, y - 1, z) + n(x - 1, y, z - 1) + n(x, y - 1, z - 1), n(x - 1, y - 1, z - 1)}));
+  }
+}
+
+}  // namespace
+}  // namespace quoin

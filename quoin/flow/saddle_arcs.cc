@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quoin/flow/saddle_arcs.h"
+
+namespace quoin {
+
+namespace {
+
+// Ends of ways: simplices, these, and a bit.
+constexpr std::uint32_t at_infinity = 0x7FFFFFFF;
+constexpr std::uint32_t in_saddle = 0x7FFFFFFE;
+constexpr std::uint32_t unknown = 0x7FFFFFFD;
+constexpr std::uint32_t has_passed = 0x80000000;
+
+bool is_end(std::uint32_t next) {
+  return (next | has_passed) >= (in_saddle | has_passed);
+}
+
+}  // namespace
+
+SaddleArcs::SaddleArcs(const FlowCells& flow)
+    : flow_(flow), crosser_(flow), end_(flow.cells().size(), unknown), segments_(flow.cells().size(), 0) {}
+
+/// The Delone cell on one side of a facet, or infinity.
+std::uint32_t SaddleArcs::along(CellFacet facet, bool is_above) const {
+  const std::uint32_t cell = is_above ? facet.cell : flow_.mate(facet).cell;
+  return flow_.is_ghost(cell) ? at_infinity : flow_.first_of(cell);
+}
+
+SaddleArcs::Leg SaddleArcs::leg(std::uint32_t first, const Context& context) {
+  const CellWay way = flow_.way(first);
+  switch (way.kind) {
+    case CellWay::Kind::facet:
+      return {along({way.cell, way.place}, false), 1};
+    case CellWay::Kind::maximum:
+      return {first, 0};
+    case CellWay::Kind::regular:
+      return {along(flow_.way_past(first), false) | has_passed, 1};
+    case CellWay::Kind::edge:
+      break;
+  }
+  Leg leg;
+  cross(first, way, leg, context);
+  return leg;
+}
+
+void SaddleArcs::cross(std::uint32_t, const CellWay& way, Leg& leg, const Context& context) {
+  const std::array<unsigned, 2> off = edge_slots[5 - way.place];
+  CellSide side{{way.cell, off[1]}, off[0]};
+  CrossingChain& chain = crosser_.chain();
+  chain.clear();
+  std::uint32_t point = chain.add_centre(crosser_.entry(side), flow_.cells()[way.cell].vertices[off[1]]);
+  while (true) {
+    if (chain.size() % 256 == 0) context.poll();
+    const CellExit exit = crosser_.forward(point, side);
+    ++leg.segments;
+    leg.next = at_infinity;
+    if (exit.kind == CellExit::Kind::vertex) leg.next = flow_.first_of(exit.cell);
+    if (exit.kind != CellExit::Kind::facet) break;
+    point = exit.point;
+    side = flow_.way_of_polygon(exit.facet);
+    if (side.corner != side.facet.slot) continue;
+    const Sign above = crosser_.chain().side(point);
+    if (above == Sign::zero) {
+      if (flow_.is_critical_polygon(exit.facet)) {
+        leg.next = in_saddle;
+        break;
+      }
+      const std::uint32_t behind = flow_.mate(exit.facet).cell;
+      const bool is_own_first = flow_.is_ghost(behind) || flow_.is_before(exit.facet.cell, behind);
+      leg.next = along(exit.facet, is_own_first) | has_passed;
+    } else {
+      leg.next = along(exit.facet, (above == Sign::positive) == exit.is_above);
+    }
+    ++leg.segments;
+    break;
+  }
+  cascades_.add(chain.size() - 1);
+}
+
+// Down the legs to a vertex whose way is known, and back up. Without recursion: ways are long.
+void SaddleArcs::trace(std::uint32_t first, const Context& context) {
+  open_.clear();
+  std::uint32_t at = first;
+  while (end_[at] == unknown) {
+    const Leg next = leg(at, context);
+    const std::uint32_t cell = next.next & ~has_passed;
+    if (cell == at || is_end(cell)) {
+      end_[at] = next.next;
+      segments_[at] = next.segments;
+    } else {
+      open_.emplace_back(at, next);
+      if (open_.size() % 1024 == 0) context.poll();
+      at = cell;
+    }
+  }
+  for (; !open_.empty(); open_.pop_back()) {
+    const auto& [from, legs] = open_.back();
+    end_[from] = end_[at] | (legs.next & has_passed);
+    segments_[from] = segments_[at] + legs.segments;
+    at = from;
+  }
+}
+
+SaddleEnd SaddleArcs::end(std::uint32_t cell, const Context& context) {
+  SaddleEnd found;
+  found.segments = 1;
+  if (flow_.is_ghost(cell)) return found;
+  const std::uint32_t first = flow_.first_of(cell);
+  if (end_[first] == unknown) trace(first, context);
+  const std::uint32_t end = end_[first] & ~has_passed;
+  found.has_passed_regular = (end_[first] & has_passed) != 0;
+  found.segments += segments_[first];
+  if (end == in_saddle) found.kind = SaddleEnd::Kind::saddle;
+  if (!is_end(end)) {
+    found.kind = SaddleEnd::Kind::maximum;
+    found.cell = end;
+  }
+  return found;
+}
+
+std::array<SaddleEnd, 2> SaddleArcs::ends(CellFacet saddle, const Context& context) {
+  return {end(saddle.cell, context), end(flow_.mate(saddle).cell, context)};
+}
+
+}  // namespace quoin

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "quoin/base/context.h"
+#include "quoin/flow/cell_crossing.h"
+#include "quoin/flow/histogram.h"
+
+namespace quoin {
+
+/// Where one of the two ways from a saddle ends.
+struct SaddleEnd {
+  enum class Kind : std::uint8_t {
+    maximum,
+    infinity,
+    saddle  ///< in another critical point of index 2; not in general position
+  };
+  Kind kind = Kind::infinity;
+  std::uint32_t cell = 0;  ///< that names the maximum
+  bool has_passed_regular = false;
+  std::uint32_t segments = 0;
+};
+
+/// The ways from saddles to maxima and infinity, for all of them: what ArcTracer tells, in the time of a few
+/// triangulations at most. Each Voronoi vertex is advanced once; 8 bytes per simplex. Ways go on behind stationary
+/// points that are not critical.
+class SaddleArcs {
+ public:
+  /// The cells must outlive it.
+  explicit SaddleArcs(const FlowCells& flow);
+
+  /// The first is on the side of the facet's simplex. @throws Cancelled
+  std::array<SaddleEnd, 2> ends(CellFacet saddle, const Context& context);
+
+  /// Constructed points between consecutive Voronoi vertices, for each vertex from which orbits cross facets.
+  const Histogram& cascades() const { return cascades_; }
+  const CellCrosser& crosser() const { return crosser_; }
+
+ private:
+  /// From a Voronoi vertex to the next one, or to the end.
+  struct Leg {
+    std::uint32_t next = 0;
+    std::uint32_t segments = 0;
+  };
+  Leg leg(std::uint32_t first, const Context& context);
+  void cross(std::uint32_t first, const CellWay& way, Leg& leg, const Context& context);
+  std::uint32_t along(CellFacet facet, bool is_above) const;
+  void trace(std::uint32_t first, const Context& context);
+  SaddleEnd end(std::uint32_t cell, const Context& context);
+
+  const FlowCells& flow_;
+  CellCrosser crosser_;
+  std::vector<std::uint32_t> end_;
+  std::vector<std::uint32_t> segments_;
+  std::vector<std::pair<std::uint32_t, Leg>> open_;
+  Histogram cascades_;
+};
+
+}  // namespace quoin
