@@ -132,40 +132,46 @@ void CellSigns::set_corners(const Corners& p, CellShape& shape) const {
   }
   const double error = are_squares_exact_ ? 0 : 1e-15;
   const double slack = are_squares_exact_ ? 0 : 0x1p-1000;
+  unsigned corners = 0;
+  unsigned rights = 0;
   for (unsigned i = 0; i < 4; ++i) {
     const unsigned j = (i + 1) & 3;
     const unsigned k = (i + 2) & 3;
     const unsigned l = (i + 3) & 3;
-    const double sum = length[j][k] + length[k][l] + length[l][j];
-    unsigned corner = l;
-    double most = length[j][k];
-    if (length[k][l] > most) {
-      most = length[k][l];
-      corner = j;
-    }
-    if (length[l][j] > most) {
-      most = length[l][j];
-      corner = k;
-    }
+    const double behind_j = length[k][l];
+    const double behind_k = length[l][j];
+    const double behind_l = length[j][k];
+    const double most = std::max({behind_j, behind_k, behind_l});
+    // Without branches, which would be taken at random.
+    const unsigned widest = most == behind_j ? j : most == behind_k ? k : l;
+    const double sum = behind_j + behind_k + behind_l;
     const double value = sum - 2 * most;
     const double bound = error * sum + slack;
-    bool is_right = value == 0;
-    if (value > bound) {
-      corner = i;
-    } else if (!are_squares_exact_ && !(value < -bound)) {
-      is_right = false;
-      const std::array<unsigned, 3> slots{j, k, l};
-      corner = i;
-      for (unsigned at = 0; at < 3; ++at) {
-        const Sign sign = side_of_diametral_sphere(*p[slots[(at + 1) % 3]], *p[slots[(at + 2) % 3]], *p[slots[at]]);
-        if (sign == Sign::positive) continue;
-        corner = slots[at];
-        is_right = sign == Sign::zero;
-      }
-    }
-    shape.corner = static_cast<std::uint8_t>(shape.corner | corner << 2 * i);
-    if (is_right && corner != i) shape.right = static_cast<std::uint8_t>(shape.right | 1U << i);
+    unsigned corner = value > bound ? i : widest;
+    bool is_right = false;
+    if (!(std::fabs(value) > bound)) [[unlikely]]
+      corner = close_corner(p, i, widest, is_right);
+    corners |= corner << 2 * i;
+    rights |= static_cast<unsigned>(is_right) << i;
   }
+  shape.corner = static_cast<std::uint8_t>(corners);
+  shape.right = static_cast<std::uint8_t>(rights);
+}
+
+unsigned CellSigns::close_corner(const Corners& p, unsigned facet, unsigned widest, bool& is_right) const {
+  if (are_squares_exact_) {
+    is_right = true;
+    return widest;
+  }
+  for (unsigned i = 1; i < 4; ++i) {
+    const unsigned corner = (facet + i) & 3;
+    const unsigned j = i == 1 ? (facet + 2) & 3 : (facet + 1) & 3;
+    const Sign sign = side_of_diametral_sphere(*p[j], *p[6 - facet - corner - j], *p[corner]);
+    if (sign == Sign::positive) continue;
+    is_right = sign == Sign::zero;
+    return corner;
+  }
+  return facet;
 }
 
 Sign CellSigns::exact_centre_sign(const Corners& p, unsigned facet, double m) {

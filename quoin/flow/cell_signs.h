@@ -49,6 +49,7 @@ class CellSigns {
  private:
   using Corners = std::array<const Point3*, 4>;
   void set_corners(const Corners& p, CellShape& shape) const;
+  unsigned close_corner(const Corners& p, unsigned facet, unsigned widest, bool& is_right) const;
   bool is_on_grid(double m) const { return m <= largest_exact_; }
   Sign exact_centre_sign(const Corners& p, unsigned facet, double m);
   bool is_exactly_on_sphere(std::uint32_t cell, const Corners& p, std::uint32_t vertex, double m);

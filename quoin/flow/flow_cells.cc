@@ -37,6 +37,10 @@ FlowCells::FlowCells(const Delaunay3& triangulation, const Context& context)
 
 void FlowCells::find_shapes(const Context& context) {
   CellSigns signs(triangulation_);
+  // A ghost is in no edge's way, and no centre is behind it.
+  for (std::uint32_t c = 0; c < cells_.size(); ++c) {
+    if (cells_[c].vertices[3] == vertex_at_infinity) rows_[c].edges = 63 | ghost;
+  }
   for (std::uint32_t c = 0; c < cells_.size(); ++c) {
     if (c % 1024 == 0) context.poll();
     if (is_ghost(c)) continue;
@@ -61,30 +65,31 @@ void FlowCells::find_shapes(const Context& context) {
   undecided_ = signs.undecided();
 }
 
-// Critical if no corner opposite to it, all around, is right or obtuse. Simplices before this one know the answer.
-bool FlowCells::is_empty_around(std::uint32_t cell, unsigned edge, bool& is_first) const {
-  const unsigned from = edge_slots[edge][0];
-  const unsigned to = edge_slots[edge][1];
-  const RingPlace start{cell, other_slots[from][to].behind, other_slots[from][to].ahead};
-  for (RingPlace at = start.next(cells_); at.cell != cell; at = at.next(cells_)) {
-    if (is_ghost(at.cell)) continue;
-    const bool is_empty = is_critical_edge(at.cell, 5 - edge_number[at.behind][at.ahead]);
-    if (at.cell < cell || !is_empty) {
-      is_first = false;
-      return is_empty;
-    }
-  }
-  return true;
-}
-
+// Critical if no corner opposite to it, all around, is right or obtuse. Each ring is walked once: `way` says for the
+// time being of which edges the answer is known.
 void FlowCells::find_critical_edges(const Context& context) {
+  std::vector<std::pair<std::uint32_t, std::uint8_t>> ring;
   for (std::uint32_t c = 0; c < cells_.size(); ++c) {
     if (c % 1024 == 0) context.poll();
+    if (is_ghost(c)) continue;
     for (unsigned e = 0; e < 6; ++e) {
-      if (!is_critical_edge(c, e)) continue;
-      bool is_first = true;
-      if (!is_empty_around(c, e, is_first)) rows_[c].edges = static_cast<std::uint8_t>(rows_[c].edges & ~(1U << e));
-      if (is_first) ++counts_[1];
+      if (((rows_[c].way | ~rows_[c].edges) >> e & 1) != 0) continue;
+      const OtherSlots off = other_slots[edge_slots[e][0]][edge_slots[e][1]];
+      bool is_critical = true;
+      ring.clear();
+      RingPlace at{c, off.behind, off.ahead};
+      do {
+        const auto bit = static_cast<std::uint8_t>(32U >> edge_number[at.behind][at.ahead]);
+        ring.emplace_back(at.cell, bit);
+        is_critical &= (rows_[at.cell].edges & bit) != 0;
+        at = at.next(cells_);
+      } while (is_critical && at.cell != c);
+      for (const auto& [cell, bit] : ring) {
+        Row& row = rows_[cell];
+        row.way = static_cast<std::uint8_t>(row.way | bit);
+        if (!is_critical) row.edges = static_cast<std::uint8_t>(row.edges & ~bit);
+      }
+      counts_[1] += is_critical ? 1 : 0;
     }
   }
 }
@@ -93,11 +98,12 @@ void FlowCells::find_saddles(const Context& context) {
   for (std::uint32_t c = 0; c < cells_.size(); ++c) {
     if (c % 1024 == 0) context.poll();
     if (is_ghost(c)) continue;
-    const CellShape& shape = rows_[c].shape;
+    const CellShape shape = rows_[c].shape;
     for (unsigned i = 0; i < 4; ++i) {
+      if (shape.centre_sign(i) != Sign::positive || (inner(c) == 0 && !shape.is_acute(i))) continue;
       const CellFacet other = mate({c, i});
       const bool is_hull = is_ghost(other.cell);
-      if (shape.centre_sign(i) != Sign::positive || (!is_hull && c > other.cell)) continue;
+      if (!is_hull && c > other.cell) continue;
       if (!is_hull && rows_[other.cell].shape.centre_sign(other.slot) != Sign::positive) continue;
       if (is_triangle({c, i})) {
         if (!shape.is_acute(i)) continue;

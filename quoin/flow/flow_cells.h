@@ -51,7 +51,7 @@ class FlowCells {
 
   const Delaunay3& triangulation() const { return triangulation_; }
   std::span<const TriangulationCell> cells() const { return cells_; }
-  bool is_ghost(std::uint32_t cell) const { return cells_[cell].vertices[3] == vertex_at_infinity; }
+  bool is_ghost(std::uint32_t cell) const { return (rows_[cell].edges & ghost) != 0; }
   const CellShape& shape(std::uint32_t cell) const { return rows_[cell].shape; }
 
   /// Critical points by index.
@@ -100,10 +100,11 @@ class FlowCells {
   }
 
  private:
+  static constexpr std::uint8_t ghost = 64;
   struct Row {
     CellShape shape;
     std::uint8_t bits = 0;   ///< slots with cospherical neighbours; from 4 on, facets that name critical polygons
-    std::uint8_t edges = 0;  ///< critical ones
+    std::uint8_t edges = 0;  ///< critical ones; and whether it is a ghost
     std::uint8_t way = 0;
   };
   struct Member {
@@ -125,7 +126,6 @@ class FlowCells {
 
   void find_shapes(const Context& context);
   void find_critical_edges(const Context& context);
-  bool is_empty_around(std::uint32_t cell, unsigned edge, bool& is_first) const;
   void find_saddles(const Context& context);
   void find_ways(const Context& context);
   void find_cluster_way(std::uint32_t first);
