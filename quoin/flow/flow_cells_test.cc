@@ -187,11 +187,11 @@ void check(const std::vector<Point3>& points, Seen& seen) {
 TEST(FlowCells, SayWhatDeloneFacesSay) {
   Random random(101);
   Seen seen;
-  for (const testing::Cloud& cloud : testing::clouds(random, 40)) {
+  for (const testing::Cloud& cloud : testing::clouds(random, 25)) {
     SCOPED_TRACE(cloud.name);
     ASSERT_NO_FATAL_FAILURE(check(cloud.points, seen));
   }
-  for (int round = 0; round < test_rounds(20); ++round) {
+  for (int round = 0; round < test_rounds(10); ++round) {
     ASSERT_NO_FATAL_FAILURE(
         check(testing::random_points(random, 30, [](Random& r) { return testing::small_integer(r, 3); }), seen));
     ASSERT_NO_FATAL_FAILURE(

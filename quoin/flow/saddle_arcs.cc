@@ -5,14 +5,15 @@ namespace quoin {
 
 namespace {
 
-// Ends of ways: simplices, these, and a bit.
+// Ends of ways: simplices, of which there are less than 2^30; saddles by their place in a list, and these; and a bit.
+constexpr std::uint32_t first_saddle = 0x40000000;
 constexpr std::uint32_t at_infinity = 0x7FFFFFFF;
-constexpr std::uint32_t in_saddle = 0x7FFFFFFE;
-constexpr std::uint32_t unknown = 0x7FFFFFFD;
+constexpr std::uint32_t unknown = 0x7FFFFFFE;
 constexpr std::uint32_t has_passed = 0x80000000;
 
-bool is_end(std::uint32_t next) {
-  return (next | has_passed) >= (in_saddle | has_passed);
+/// Without the bit.
+bool is_saddle(std::uint32_t end) {
+  return end >= first_saddle && end < unknown;
 }
 
 }  // namespace
@@ -39,11 +40,11 @@ SaddleArcs::Leg SaddleArcs::leg(std::uint32_t first, const Context& context) {
       break;
   }
   Leg leg;
-  cross(first, way, leg, context);
+  cross(way, leg, context);
   return leg;
 }
 
-void SaddleArcs::cross(std::uint32_t, const CellWay& way, Leg& leg, const Context& context) {
+void SaddleArcs::cross(const CellWay& way, Leg& leg, const Context& context) {
   const std::array<unsigned, 2> off = edge_slots[5 - way.place];
   CellSide side{{way.cell, off[1]}, off[0]};
   CrossingChain& chain = crosser_.chain();
@@ -62,7 +63,8 @@ void SaddleArcs::cross(std::uint32_t, const CellWay& way, Leg& leg, const Contex
     const Sign above = crosser_.chain().side(point);
     if (above == Sign::zero) {
       if (flow_.is_critical_polygon(exit.facet)) {
-        leg.next = in_saddle;
+        leg.next = first_saddle + static_cast<std::uint32_t>(in_saddles_.size());
+        in_saddles_.push_back(exit.facet.cell);
         break;
       }
       const std::uint32_t behind = flow_.mate(exit.facet).cell;
@@ -84,7 +86,7 @@ void SaddleArcs::trace(std::uint32_t first, const Context& context) {
   while (end_[at] == unknown) {
     const Leg next = leg(at, context);
     const std::uint32_t cell = next.next & ~has_passed;
-    if (cell == at || is_end(cell)) {
+    if (cell == at || cell >= first_saddle) {
       end_[at] = next.next;
       segments_[at] = next.segments;
     } else {
@@ -110,8 +112,10 @@ SaddleEnd SaddleArcs::end(std::uint32_t cell, const Context& context) {
   const std::uint32_t end = end_[first] & ~has_passed;
   found.has_passed_regular = (end_[first] & has_passed) != 0;
   found.segments += segments_[first];
-  if (end == in_saddle) found.kind = SaddleEnd::Kind::saddle;
-  if (!is_end(end)) {
+  if (is_saddle(end)) {
+    found.kind = SaddleEnd::Kind::saddle;
+    found.cell = in_saddles_[end - first_saddle];
+  } else if (end != at_infinity) {
     found.kind = SaddleEnd::Kind::maximum;
     found.cell = end;
   }

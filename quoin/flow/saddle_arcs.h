@@ -20,7 +20,8 @@ struct SaddleEnd {
     saddle  ///< in another critical point of index 2; not in general position
   };
   Kind kind = Kind::infinity;
-  std::uint32_t cell = 0;  ///< that names the maximum
+  /// That names the maximum; for a saddle, a cell on one side of it, from which its own way goes on.
+  std::uint32_t cell = 0;
   bool has_passed_regular = false;
   std::uint32_t segments = 0;
 };
@@ -35,6 +36,8 @@ class SaddleArcs {
 
   /// The first is on the side of the facet's simplex. @throws Cancelled
   std::array<SaddleEnd, 2> ends(CellFacet saddle, const Context& context);
+  /// The way of the circumcentre of a simplex; a ghost is at infinity. @throws Cancelled
+  SaddleEnd end(std::uint32_t cell, const Context& context);
 
   /// Constructed points between consecutive Voronoi vertices, for each vertex from which orbits cross facets.
   const Histogram& cascades() const { return cascades_; }
@@ -47,16 +50,16 @@ class SaddleArcs {
     std::uint32_t segments = 0;
   };
   Leg leg(std::uint32_t first, const Context& context);
-  void cross(std::uint32_t first, const CellWay& way, Leg& leg, const Context& context);
+  void cross(const CellWay& way, Leg& leg, const Context& context);
   std::uint32_t along(CellFacet facet, bool is_above) const;
   void trace(std::uint32_t first, const Context& context);
-  SaddleEnd end(std::uint32_t cell, const Context& context);
 
   const FlowCells& flow_;
   CellCrosser crosser_;
   std::vector<std::uint32_t> end_;
   std::vector<std::uint32_t> segments_;
   std::vector<std::pair<std::uint32_t, Leg>> open_;
+  std::vector<std::uint32_t> in_saddles_;  ///< cells at saddles in which ways end
   Histogram cascades_;
 };
 

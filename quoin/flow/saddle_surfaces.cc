@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "quoin/flow/saddle_surfaces.h"
 
+#include <utility>
+
 namespace quoin {
 
 const SurfacePieces& SaddleSurfaces::follow(CellFacet saddle, const Context& context) {
@@ -24,12 +26,16 @@ void SaddleSurfaces::follow(const Open& at) {
   const FlowTriangle entry = crosser_.entry(at.side);
   const CellExit exit = crosser_.backward(at.point, at.side);
   SurfacePiece piece{.edge = {entry[0], entry[1]}, .towards = at.point, .depth = at.depth};
+  if (at.is_flipped) std::swap(piece.edge[0], piece.edge[1]);
   piece.is_side = exit.kind == CellExit::Kind::midpoint;
   surface_.has_regular_point |= exit.is_at_midpoint && !piece.is_side;
   if (exit.kind == CellExit::Kind::facet) {
     piece.from = exit.point;
     flow_.entering_sides(exit.facet, sides_);
-    for (const CellSide& side : sides_) open_.push_back({side, exit.point, at.depth + 1});
+    // The next triangle has the edge the other way round; its simplex is in front of it where it is above.
+    for (const CellSide& side : sides_) {
+      open_.push_back({side, exit.point, at.depth + 1, at.is_flipped != exit.is_above});
+    }
   }
   if (exit.kind == CellExit::Kind::vertex) enter_cell(exit.cell, piece);
   surface_.pieces.push_back(piece);

@@ -13,7 +13,10 @@ namespace quoin {
 /// What one Voronoi facet contributes to a stable surface: two triangles, from either end of its edge to the segment
 /// between two points.
 struct SurfacePiece {
-  std::array<std::uint32_t, 2> edge{};       ///< vertices of the triangulation
+  /// Vertices of the triangulation. The triangles (edge[0], from, towards) and (edge[1], towards, from) are
+  /// counterclockwise seen from the side of the simplex of the saddle's facet, along all of a surface that has no
+  /// Voronoi vertex.
+  std::array<std::uint32_t, 2> edge{};
   std::uint32_t towards = 0;                 ///< a point, by the chain
   std::uint32_t from = CrossingChain::none;  ///< the other; none is the midpoint of the edge
   unsigned depth = 0;                        ///< flow segments from `from` to the saddle
@@ -49,6 +52,7 @@ class SaddleSurfaces {
     CellSide side;
     std::uint32_t point;
     unsigned depth;
+    bool is_flipped = false;  ///< the surface's front is not where the side's simplex is
   };
   void follow(const Open& at);
   void enter_cell(std::uint32_t cell, SurfacePiece& piece);

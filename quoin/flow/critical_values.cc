@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quoin/flow/critical_values.h"
+
+#include "quoin/flow/face_formulas.h"
+
+namespace quoin {
+
+namespace {
+
+using flow::between;
+using flow::Vector;
+
+template <class N>
+N square_of_edge(const Point3& a, const Point3& b) {
+  const Vector<N> v = between<N>(a, b);
+  return dot(v, v) / N(4);
+}
+
+/// The product of the squared sides over four times the square of twice the area.
+template <class N>
+N square_of_triangle(const Point3& p, const Point3& q, const Point3& r) {
+  const Vector<N> a = between<N>(p, q);
+  const Vector<N> b = between<N>(p, r);
+  const Vector<N> c = between<N>(q, r);
+  const Vector<N> n = cross(a, b);
+  return dot(a, a) * dot(b, b) * dot(c, c) / (N(4) * dot(n, n));
+}
+
+template <class N>
+N square_of_simplex(const Point3& p, const Point3& q, const Point3& r, const Point3& s) {
+  const Vector<N> a = between<N>(p, q);
+  const Vector<N> b = between<N>(p, r);
+  const Vector<N> c = between<N>(p, s);
+  const Vector<N> bc = cross(b, c);
+  const N det = dot(a, bc);
+  const Vector<N> n = bc * dot(a, a) + cross(c, a) * dot(b, b) + cross(a, b) * dot(c, c);
+  return dot(n, n) / (N(4) * det * det);
+}
+
+}  // namespace
+
+Interval CriticalValues::of_edge(std::uint32_t cell, unsigned edge) const {
+  return square_of_edge<Interval>(corner(cell, edge_slots[edge][0]), corner(cell, edge_slots[edge][1]));
+}
+Rational CriticalValues::exactly_of_edge(std::uint32_t cell, unsigned edge) const {
+  return square_of_edge<Rational>(corner(cell, edge_slots[edge][0]), corner(cell, edge_slots[edge][1]));
+}
+
+Interval CriticalValues::of_facet(CellFacet facet) const {
+  const std::array<unsigned, 3>& s = facet_slots[facet.slot];
+  return square_of_triangle<Interval>(corner(facet.cell, s[0]), corner(facet.cell, s[1]), corner(facet.cell, s[2]));
+}
+Rational CriticalValues::exactly_of_facet(CellFacet facet) const {
+  const std::array<unsigned, 3>& s = facet_slots[facet.slot];
+  return square_of_triangle<Rational>(corner(facet.cell, s[0]), corner(facet.cell, s[1]), corner(facet.cell, s[2]));
+}
+
+Interval CriticalValues::of_cell(std::uint32_t cell) const {
+  return square_of_simplex<Interval>(corner(cell, 0), corner(cell, 1), corner(cell, 2), corner(cell, 3));
+}
+Rational CriticalValues::exactly_of_cell(std::uint32_t cell) const {
+  return square_of_simplex<Rational>(corner(cell, 0), corner(cell, 1), corner(cell, 2), corner(cell, 3));
+}
+
+// sqrt H <= sqrt L + d, that is H - L - d^2 <= 2 d sqrt L.
+bool differ_by_at_most(const Rational& square_low, const Rational& square_high, const Rational& most) {
+  const Rational left = square_high - square_low - most * most;
+  return left.sign() != Sign::positive || left * left <= Rational(4) * most * most * square_low;
+}
+
+}  // namespace quoin

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quoin/flow/flow_graph.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "quoin/base/disjoint_sets.h"
+#include "quoin/base/error.h"
+
+namespace quoin {
+
+namespace {
+
+/// Whether a number with bounds is at most another.
+template <class Exact>
+bool is_at_most(const Interval& bounds, const Exact& exact, const Rational& most, const Interval& around) {
+  if (bounds.upper() <= around.lower()) return true;
+  if (bounds.lower() > around.upper()) return false;
+  return exact() <= most;
+}
+
+}  // namespace
+
+FlowGraph::FlowGraph(const FlowCells& flow, const Context& context) : flow_(flow), values_(flow.triangulation()) {
+  for (std::uint32_t c = 0; c < flow.cells().size(); ++c) {
+    if (c % 1024 == 0) context.poll();
+    if (flow.is_ghost(c) || flow.first_of(c) != c || flow.way(c).kind != CellWay::Kind::maximum) continue;
+    maxima_.push_back({c, values_.of_cell(c)});
+  }
+  SaddleArcs arcs(flow);
+  flow.for_each_saddle(context, [&](CellFacet facet) {
+    const std::array<SaddleEnd, 2> ends = arcs.ends(facet, context);
+    for (const SaddleEnd& end : ends) passed_ += end.has_passed_regular ? 1 : 0;
+    saddles_.push_back(
+        {facet, {place(ends[0], arcs, context), place(ends[1], arcs, context)}, values_.of_facet(facet)});
+  });
+}
+
+std::uint32_t FlowGraph::place(SaddleEnd end, SaddleArcs& arcs, const Context& context) {
+  in_saddles_ += end.kind == SaddleEnd::Kind::saddle ? 1 : 0;
+  while (end.kind == SaddleEnd::Kind::saddle) end = arcs.end(end.cell, context);
+  if (end.kind == SaddleEnd::Kind::infinity) return infinity();
+  const auto found = std::lower_bound(maxima_.begin(), maxima_.end(), end.cell,
+                                      [](const Maximum& m, std::uint32_t cell) { return m.cell < cell; });
+  return static_cast<std::uint32_t>(found - maxima_.begin());
+}
+
+// By bounds; where those of several overlap, by exact values, each computed once.
+template <class Bounds, class Exact>
+std::vector<std::uint32_t> FlowGraph::ascending(std::size_t count, const Bounds& bounds, const Exact& exact,
+                                                const Context& context) {
+  std::vector<std::uint32_t> order(count);
+  std::iota(order.begin(), order.end(), 0U);
+  context.poll();
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return bounds(a).lower() < bounds(b).lower() || (bounds(a).lower() == bounds(b).lower() && a < b);
+  });
+  for (std::size_t begin = 0; begin < count;) {
+    double high = bounds(order[begin]).upper();
+    std::size_t end = begin + 1;
+    for (; end < count && bounds(order[end]).lower() <= high; ++end) {
+      high = std::max(high, bounds(order[end]).upper());
+    }
+    std::vector<std::pair<Rational, std::uint32_t>> group;
+    for (std::size_t i = begin; end - begin > 1 && i < end; ++i) {
+      if (i % 256 == 0) context.poll();
+      group.emplace_back(exact(order[i]), order[i]);
+    }
+    std::sort(group.begin(), group.end());
+    for (std::size_t i = 0; i < group.size(); ++i) order[begin + i] = group[i].second;
+    begin = end;
+  }
+  return order;
+}
+
+std::vector<FlowGraph::Pair> FlowGraph::pairs(const Context& context) const {
+  const std::vector<std::uint32_t> by_height = ascending(
+      maxima_.size(), [this](std::uint32_t i) -> const Interval& { return maxima_[i].square; },
+      [this](std::uint32_t i) { return exact_square_of_maximum(i); }, context);
+  std::vector<std::uint32_t> rank(maxima_.size() + 1, infinity());
+  for (std::uint32_t i = 0; i < by_height.size(); ++i) rank[by_height[i]] = i;
+  const std::vector<std::uint32_t> order = ascending(
+      saddles_.size(), [this](std::uint32_t i) -> const Interval& { return saddles_[i].square; },
+      [this](std::uint32_t i) { return exact_square_of_saddle(i); }, context);
+  DisjointSets regions(maxima_.size() + 1);
+  std::vector<std::uint32_t> highest(maxima_.size() + 1);
+  std::iota(highest.begin(), highest.end(), 0U);
+  std::vector<Pair> pairs;
+  for (std::size_t i = order.size(); i > 0; --i) {
+    if (i % 1024 == 0) context.poll();
+    const Saddle& saddle = saddles_[order[i - 1]];
+    std::uint32_t low = highest[regions.find(saddle.ends[0])];
+    std::uint32_t high = highest[regions.find(saddle.ends[1])];
+    if (low == high) continue;
+    if (rank[low] > rank[high]) std::swap(low, high);
+    pairs.push_back({order[i - 1], low, high});
+    regions.unite(low, high);
+    highest[regions.find(low)] = high;
+  }
+  return pairs;
+}
+
+bool FlowGraph::is_shallow(const Pair& pair, double most) const {
+  const Interval& low = saddles_[pair.saddle].square;
+  const Interval& high = maxima_[pair.maximum].square;
+  const Interval difference = square_root(high) - square_root(low);
+  if (difference.upper() <= most) return true;
+  if (difference.lower() > most) return false;
+  return differ_by_at_most(exact_square_of_saddle(pair.saddle), exact_square_of_maximum(pair.maximum), Rational(most));
+}
+
+std::vector<std::uint32_t> FlowGraph::simplified(double most, const Context& context) const {
+  if (!(most >= 0) || std::isinf(most)) throw InputError("a difference of distances must be finite and not negative");
+  std::vector<std::uint32_t> becomes(maxima_.size() + 1);
+  std::iota(becomes.begin(), becomes.end(), 0U);
+  for (const Pair& pair : pairs(context)) {
+    if (is_shallow(pair, most)) becomes[pair.maximum] = pair.behind;
+  }
+  context.poll();
+  // What a maximum becomes is higher, so chains end; each is shortened as it is followed.
+  for (std::uint32_t i = 0; i < becomes.size(); ++i) {
+    while (becomes[becomes[i]] != becomes[i]) becomes[i] = becomes[becomes[i]];
+  }
+  becomes.pop_back();
+  return becomes;
+}
+
+template <class Visit>
+void FlowGraph::for_each_critical_edge(const Context& context, const Visit& visit) const {
+  const std::span<const TriangulationCell> cells = flow_.cells();
+  for (std::uint32_t c = 0; c < cells.size(); ++c) {
+    if (c % 1024 == 0) context.poll();
+    if (flow_.is_ghost(c)) continue;
+    for (unsigned e = 0; e < 6; ++e) {
+      if (!flow_.is_critical_edge(c, e)) continue;
+      const OtherSlots off = other_slots[edge_slots[e][0]][edge_slots[e][1]];
+      RingPlace at = RingPlace{c, off.behind, off.ahead}.next(cells);
+      while (at.cell > c || (at.cell != c && flow_.is_ghost(at.cell))) at = at.next(cells);
+      if (at.cell == c) visit(c, e);
+    }
+  }
+}
+
+std::array<std::size_t, 4> FlowGraph::counts(const Rational& square, const Context& context) const {
+  const Interval around = Interval::around(square);
+  std::array<std::size_t, 4> counts{};
+  if (square.sign() != Sign::negative) counts[0] = flow_.counts()[0];
+  for_each_critical_edge(context, [&](std::uint32_t cell, unsigned edge) {
+    const auto exact = [&] { return values_.exactly_of_edge(cell, edge); };
+    counts[1] += is_at_most(values_.of_edge(cell, edge), exact, square, around) ? 1 : 0;
+  });
+  for (std::uint32_t i = 0; i < saddles_.size(); ++i) {
+    const auto exact = [&] { return exact_square_of_saddle(i); };
+    counts[2] += is_at_most(saddles_[i].square, exact, square, around) ? 1 : 0;
+  }
+  for (std::uint32_t i = 0; i < maxima_.size(); ++i) {
+    const auto exact = [&] { return exact_square_of_maximum(i); };
+    counts[3] += is_at_most(maxima_[i].square, exact, square, around) ? 1 : 0;
+  }
+  return counts;
+}
+
+// What is farther from the points than the radius falls into as many parts as there are hollows, and the outside.
+std::array<std::size_t, 3> FlowGraph::betti_numbers(const Rational& square, const Context& context) const {
+  if (square.sign() == Sign::negative) return {};
+  const Interval around = Interval::around(square);
+  DisjointSets components(flow_.counts()[0]);
+  std::size_t component_count = flow_.counts()[0];
+  for_each_critical_edge(context, [&](std::uint32_t cell, unsigned edge) {
+    const auto exact = [&] { return values_.exactly_of_edge(cell, edge); };
+    if (!is_at_most(values_.of_edge(cell, edge), exact, square, around)) return;
+    const std::uint32_t a = components.find(flow_.cells()[cell].vertices[edge_slots[edge][0]]);
+    const std::uint32_t b = components.find(flow_.cells()[cell].vertices[edge_slots[edge][1]]);
+    if (a == b) return;
+    components.unite(a, b);
+    --component_count;
+  });
+  const std::array<std::size_t, 4> below = counts(square, context);
+  std::size_t hollows = maxima_.size() - below[3];
+  DisjointSets parts(maxima_.size() + 1);
+  for (std::uint32_t i = 0; i < saddles_.size(); ++i) {
+    const auto exact = [&] { return exact_square_of_saddle(i); };
+    if (is_at_most(saddles_[i].square, exact, square, around)) continue;
+    const std::uint32_t a = parts.find(saddles_[i].ends[0]);
+    const std::uint32_t b = parts.find(saddles_[i].ends[1]);
+    if (a == b) continue;
+    parts.unite(a, b);
+    --hollows;
+  }
+  return {component_count, component_count + hollows + below[1] + below[3] - below[0] - below[2], hollows};
+}
+
+}  // namespace quoin
