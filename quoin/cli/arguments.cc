@@ -217,6 +217,26 @@ void add_triangulations(CLI::App& app, Options& options) {
   add_alpha(app, options);
 }
 
+void add_flow(CLI::App& app, Options& options) {
+  CLI::App* flow = add_points_command(app, options, "flow",
+                                      "critical points of the distance to points, and what flows to them, exactly",
+                                      "the surfaces that are asked for");
+  flow->add_option("--stable", options.stable, "what flows to critical points of this index: 1 (edges) or 2 (surfaces)")
+      ->check(CLI::IsMember({1, 2}));
+  flow->add_option("--unstable", options.unstable, "what flows from critical points of index 2: ways to maxima")
+      ->check(CLI::IsMember({2}));
+  flow->add_option("--shape", options.shape, "what is found up to this distance, with its Betti numbers")
+      ->check(finite_number(true));
+  flow->add_option(
+          "--simplify", options.simplify,
+          "leave out maxima that are at most this much farther from the points than a saddle that cuts them off")
+      ->check(finite_number(true));
+  flow->add_flag("--reconstruct", options.reconstruct, "the solid whose surface the points are on");
+  flow->add_option("--ratio", options.ratio,
+                   "of --reconstruct: how near to the points a wall is, of the distance behind it (default: 0.5)")
+      ->check(CLI::Range(0.0, 1.0));
+}
+
 void add_pictures(CLI::App& command, Options& options, const std::string& formats) {
   add_repeatable(
       command, "-o,--output", options.outputs,
@@ -341,6 +361,7 @@ void add_commands(CLI::App& app, Options& options) {
                options);
   add_topology(app, options);
   add_triangulations(app, options);
+  add_flow(app, options);
   add_queries(app, options);
   add_assembly(app, options);
   add_planar(app, options);

@@ -59,7 +59,8 @@ int run(const Options& options) {
                                                {"persistence", run_persistence},
                                                {"delaunay", run_delaunay},
                                                {"voronoi", run_voronoi},
-                                               {"alpha", run_alpha}};
+                                               {"alpha", run_alpha},
+                                               {"flow", run_flow}};
   return runs.at(options.command)(options, context);
 }
 

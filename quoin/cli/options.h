@@ -51,18 +51,25 @@ struct Options {
   bool infinitesimal = false;           ///< of `assembly`: only what can begin to move
   bool prune = false;                   ///< of `assembly`: first leave out where nothing moves
   bool one_part = false;                ///< of `assembly`: one part at a time
-  std::string input_format;      ///< of `delaunay`, `voronoi`, `alpha`: a name of PointFormat; empty: told by content
-  bool onto_plane = false;       ///< of the same: x and y count
-  bool weighted = false;         ///< of `delaunay` and `alpha`: the last column is a weight
-  bool check = false;            ///< of `delaunay`: prove the result
-  bool cells = false;            ///< of `voronoi`: each cell in the report
-  bool exact = false;            ///< of `voronoi`: exact volumes at any length; of `alpha`: exact values
-  std::optional<double> memory;  ///< of `delaunay`, `voronoi` and `alpha`: megabytes
-  std::string value;             ///< of `alpha`: a squared radius
-  std::string radius;            ///< of `alpha`
+  std::string
+      input_format;  ///< of `delaunay`, `voronoi`, `alpha`, `flow`: a name of PointFormat; empty: told by content
+  bool onto_plane = false;            ///< of the same: x and y count
+  bool weighted = false;              ///< of `delaunay` and `alpha`: the last column is a weight
+  bool check = false;                 ///< of `delaunay`: prove the result
+  bool cells = false;                 ///< of `voronoi`: each cell in the report
+  bool exact = false;                 ///< of `voronoi`: exact volumes at any length; of `alpha`: exact values
+  std::optional<double> memory;       ///< of the same: megabytes
+  std::string value;                  ///< of `alpha`: a squared radius
+  std::string radius;                 ///< of `alpha`
   std::optional<std::size_t> pieces;  ///< of `alpha`: no more than these
   bool values = false;                ///< of `alpha`: all critical values in the report
   std::string graph;                  ///< of `alpha`: gabriel, relative-neighbours or spanning-tree
+  int stable = 0;                     ///< of `flow`: an index, or 0
+  int unstable = 0;                   ///< of `flow`
+  std::optional<double> shape;        ///< of `flow`: a distance
+  std::optional<double> simplify;     ///< of `flow`: a difference of distances
+  bool reconstruct = false;           ///< of `flow`
+  std::optional<double> ratio;        ///< of `flow`
   bool json = false;
   bool quiet = false;
   bool verbose = false;

@@ -96,7 +96,8 @@ Target target_of(const std::string& name, const Options& options) {
     if (name != standard_stream) return plan_target(name, ending_of(name));
     return plan_target(name, in_small_letters("." + (options.format.empty() ? "json" : options.format)));
   }
-  if (options.command == "delaunay" || options.command == "voronoi" || options.command == "alpha") {
+  if (options.command == "delaunay" || options.command == "voronoi" || options.command == "alpha" ||
+      options.command == "flow") {
     const bool has_text = options.command == "alpha";
     if (name != standard_stream) return cells_target(name, ending_of(name), has_text);
     return cells_target(name, in_small_letters("." + (options.format.empty() ? "vtk" : options.format)), has_text);

@@ -2,6 +2,7 @@
 #include "quoin/flow/critical_values.h"
 
 #include "quoin/flow/face_formulas.h"
+#include "quoin/triangulation/voronoi.h"
 
 namespace quoin {
 
@@ -60,6 +61,24 @@ Interval CriticalValues::of_cell(std::uint32_t cell) const {
 }
 Rational CriticalValues::exactly_of_cell(std::uint32_t cell) const {
   return square_of_simplex<Rational>(corner(cell, 0), corner(cell, 1), corner(cell, 2), corner(cell, 3));
+}
+
+RationalPoint3 CriticalValues::midpoint(std::uint32_t cell, unsigned edge) const {
+  const Point3 a = corner(cell, edge_slots[edge][0]);
+  const Point3 b = corner(cell, edge_slots[edge][1]);
+  return (exact_point(a) + exact_point(b)) * (Rational(1) / Rational(2));
+}
+
+RationalPoint3 CriticalValues::centre(CellFacet facet) const {
+  const std::array<unsigned, 3>& s = facet_slots[facet.slot];
+  const Point3 first = corner(facet.cell, s[0]);
+  const flow::Circle<Rational> circle({first, corner(facet.cell, s[1]), corner(facet.cell, s[2])});
+  const RationalPoint3 doubled{circle.centre.x, circle.centre.y, circle.centre.z};
+  return exact_point(first) + doubled * (Rational(1) / (circle.square_normal * Rational(2)));
+}
+
+RationalPoint3 CriticalValues::centre(std::uint32_t cell) const {
+  return circumcentre(corner(cell, 0), corner(cell, 1), corner(cell, 2), corner(cell, 3));
 }
 
 // sqrt H <= sqrt L + d, that is H - L - d^2 <= 2 d sqrt L.

@@ -4,12 +4,13 @@
 #include <cstdint>
 
 #include "quoin/flow/flow_cells.h"
+#include "quoin/kernel/rational_point.h"
 #include "quoin/number/interval.h"
 #include "quoin/number/rational.h"
 
 namespace quoin {
 
-/// Squared distances at critical points named by simplices: bounds, and exact.
+/// Critical points named by simplices: the squared distances there, as bounds and exact, and where they are.
 class CriticalValues {
  public:
   explicit CriticalValues(const Delaunay3& triangulation) : triangulation_(triangulation) {}
@@ -21,12 +22,22 @@ class CriticalValues {
   Rational exactly_of_facet(CellFacet facet) const;
   Rational exactly_of_cell(std::uint32_t cell) const;
 
+  /// The critical points themselves.
+  RationalPoint3 midpoint(std::uint32_t cell, unsigned edge) const;
+  RationalPoint3 centre(CellFacet facet) const;
+  RationalPoint3 centre(std::uint32_t cell) const;
+
  private:
   Point3 corner(std::uint32_t cell, unsigned slot) const {
     return triangulation_.point(triangulation_.cells()[cell].vertices[slot]);
   }
   const Delaunay3& triangulation_;
 };
+
+/// Each coordinate the nearest double.
+inline Point3 to_nearest_doubles(const RationalPoint3& p) {
+  return {p.x.to_double(), p.y.to_double(), p.z.to_double()};
+}
 
 /// Whether the distances at two points, given squared, differ by at most `most`, which is not negative: high - low <=
 /// most. Exact.

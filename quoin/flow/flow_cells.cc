@@ -94,6 +94,13 @@ void FlowCells::find_critical_edges(const Context& context) {
   }
 }
 
+bool FlowCells::is_first_at_edge(std::uint32_t cell, unsigned edge) const {
+  const OtherSlots off = other_slots[edge_slots[edge][0]][edge_slots[edge][1]];
+  RingPlace at = RingPlace{cell, off.behind, off.ahead}.next(cells_);
+  while (at.cell > cell || (at.cell != cell && is_ghost(at.cell))) at = at.next(cells_);
+  return at.cell == cell;
+}
+
 void FlowCells::find_saddles(const Context& context) {
   for (std::uint32_t c = 0; c < cells_.size(); ++c) {
     if (c % 1024 == 0) context.poll();

@@ -62,6 +62,16 @@ class FlowCells {
   bool is_critical_edge(std::uint32_t cell, unsigned edge) const { return (rows_[cell].edges >> edge & 1) != 0; }
   /// Whether the facet is the one that names a critical polygon.
   bool is_critical_facet(std::uint32_t cell, unsigned slot) const { return (rows_[cell].bits >> (4 + slot) & 1) != 0; }
+  /// Calls `visit(cell, edge)` for each critical edge, from one of its simplices, by ascending simplices.
+  template <class Visit>
+  void for_each_critical_edge(const Context& context, const Visit& visit) const {
+    for (std::uint32_t c = 0; c < rows_.size(); ++c) {
+      if (c % 1024 == 0) context.poll();
+      for (unsigned e = 0; e < 6 && !is_ghost(c); ++e) {
+        if (is_critical_edge(c, e) && is_first_at_edge(c, e)) visit(c, e);
+      }
+    }
+  }
   /// Calls `visit(CellFacet)` for each critical polygon, ascending.
   template <class Visit>
   void for_each_saddle(const Context& context, const Visit& visit) const {
@@ -115,6 +125,7 @@ class FlowCells {
     std::uint32_t first;
     CellWay way;
   };
+  bool is_first_at_edge(std::uint32_t cell, unsigned edge) const;
   unsigned inner(std::uint32_t cell) const { return rows_[cell].bits & 15U; }
   bool is_triangle(CellFacet facet) const;
   CellSide turned_inside(CellSide side) const;

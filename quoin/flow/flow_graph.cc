@@ -126,27 +126,11 @@ std::vector<std::uint32_t> FlowGraph::simplified(double most, const Context& con
   return becomes;
 }
 
-template <class Visit>
-void FlowGraph::for_each_critical_edge(const Context& context, const Visit& visit) const {
-  const std::span<const TriangulationCell> cells = flow_.cells();
-  for (std::uint32_t c = 0; c < cells.size(); ++c) {
-    if (c % 1024 == 0) context.poll();
-    if (flow_.is_ghost(c)) continue;
-    for (unsigned e = 0; e < 6; ++e) {
-      if (!flow_.is_critical_edge(c, e)) continue;
-      const OtherSlots off = other_slots[edge_slots[e][0]][edge_slots[e][1]];
-      RingPlace at = RingPlace{c, off.behind, off.ahead}.next(cells);
-      while (at.cell > c || (at.cell != c && flow_.is_ghost(at.cell))) at = at.next(cells);
-      if (at.cell == c) visit(c, e);
-    }
-  }
-}
-
 std::array<std::size_t, 4> FlowGraph::counts(const Rational& square, const Context& context) const {
   const Interval around = Interval::around(square);
   std::array<std::size_t, 4> counts{};
   if (square.sign() != Sign::negative) counts[0] = flow_.counts()[0];
-  for_each_critical_edge(context, [&](std::uint32_t cell, unsigned edge) {
+  flow_.for_each_critical_edge(context, [&](std::uint32_t cell, unsigned edge) {
     const auto exact = [&] { return values_.exactly_of_edge(cell, edge); };
     counts[1] += is_at_most(values_.of_edge(cell, edge), exact, square, around) ? 1 : 0;
   });
@@ -167,7 +151,7 @@ std::array<std::size_t, 3> FlowGraph::betti_numbers(const Rational& square, cons
   const Interval around = Interval::around(square);
   DisjointSets components(flow_.counts()[0]);
   std::size_t component_count = flow_.counts()[0];
-  for_each_critical_edge(context, [&](std::uint32_t cell, unsigned edge) {
+  flow_.for_each_critical_edge(context, [&](std::uint32_t cell, unsigned edge) {
     const auto exact = [&] { return values_.exactly_of_edge(cell, edge); };
     if (!is_at_most(values_.of_edge(cell, edge), exact, square, around)) return;
     const std::uint32_t a = components.find(flow_.cells()[cell].vertices[edge_slots[edge][0]]);

@@ -46,6 +46,7 @@ class FlowGraph {
   std::size_t passed_count() const { return passed_; }
   std::size_t in_saddle_count() const { return in_saddles_; }
 
+  const FlowCells& cells() const { return flow_; }
   Rational exact_square_of_maximum(std::uint32_t i) const { return values_.exactly_of_cell(maxima_[i].cell); }
   Rational exact_square_of_saddle(std::uint32_t i) const { return values_.exactly_of_facet(saddles_[i].facet); }
 
@@ -68,8 +69,6 @@ class FlowGraph {
   std::array<std::size_t, 4> counts(const Rational& square, const Context& context) const;
 
  private:
-  template <class Visit>
-  void for_each_critical_edge(const Context& context, const Visit& visit) const;
   template <class Bounds, class Exact>
   static std::vector<std::uint32_t> ascending(std::size_t count, const Bounds& bounds, const Exact& exact,
                                               const Context& context);

@@ -55,6 +55,7 @@ class MeshMaker {
       mesh_.triangles.push_back({corner(piece.edge[left]), from, to});
       mesh_.triangles.push_back({corner(piece.edge[1 - left]), to, from});
     }
+    mesh_.saddle_of.resize(mesh_.triangles.size(), count_++);
   }
   FlowMesh take() { return std::move(mesh_); }
 
@@ -75,19 +76,17 @@ class MeshMaker {
     const auto [at, is_new] = midpoints_.try_emplace(static_cast<std::uint64_t>(low) << 32 | high, 0);
     if (is_new) {
       const Rational half = Rational(1) / Rational(2);
-      at->second = add_point(rounded(
+      at->second = add_point(to_nearest_doubles(
           (exact_point(flow_.triangulation().point(low)) + exact_point(flow_.triangulation().point(high))) * half));
     }
     return at->second;
   }
   std::uint32_t constructed(std::uint32_t node) {
     if (constructed_[node] == none) {
-      constructed_[node] = add_point(rounded(surfaces_.chain().exact_point(node) * unscale_));
+      constructed_[node] = add_point(to_nearest_doubles(surfaces_.chain().exact_point(node) * unscale_));
     }
     return constructed_[node];
   }
-  static Point3 rounded(const RationalPoint3& p) { return {p.x.to_double(), p.y.to_double(), p.z.to_double()}; }
-
   const FlowCells& flow_;
   SaddleSurfaces surfaces_;
   Rational unscale_;
@@ -95,6 +94,7 @@ class MeshMaker {
   std::unordered_map<std::uint32_t, std::uint32_t> corners_;
   std::unordered_map<std::uint64_t, std::uint32_t> midpoints_;
   std::vector<std::uint32_t> constructed_;
+  std::uint32_t count_ = 0;
 };
 
 }  // namespace
@@ -130,6 +130,17 @@ std::vector<WallSaddle> wall_of(const FlowGraph& graph, const std::vector<bool>&
     if (first != is_in(saddle.ends[1])) wall.push_back({saddle.facet, first});
   }
   return wall;
+}
+
+std::vector<WallSaddle> walls_between(const FlowGraph& graph, std::span<const std::uint32_t> becomes) {
+  std::vector<WallSaddle> walls;
+  for (const FlowGraph::Saddle& saddle : graph.saddles()) {
+    const auto region = [&](std::uint32_t end) { return end == graph.infinity() ? end : becomes[end]; };
+    const std::uint32_t first = region(saddle.ends[0]);
+    const std::uint32_t second = region(saddle.ends[1]);
+    if (first != second) walls.push_back({saddle.facet, first < second});
+  }
+  return walls;
 }
 
 FlowMesh flow_mesh(const FlowCells& flow, std::span<const WallSaddle> wall, const Context& context) {

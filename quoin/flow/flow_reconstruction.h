@@ -41,10 +41,15 @@ FlowSolid flow_solid(const FlowGraph& graph, const PeelOptions& options, const C
 /// The boundary of chosen maxima: saddles with one end among them. Infinity is outside.
 std::vector<WallSaddle> wall_of(const FlowGraph& graph, const std::vector<bool>& is_inside);
 
+/// Saddles between different regions of a simplified graph, by what each maximum becomes; infinity is the last region.
+/// The one with the smaller number is inside.
+std::vector<WallSaddle> walls_between(const FlowGraph& graph, std::span<const std::uint32_t> becomes);
+
 /// Triangles with shared corners.
 struct FlowMesh {
   std::vector<Point3> points;  ///< vertices of the triangulation that are used, midpoints, and constructed points
   std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<std::uint32_t> saddle_of;  ///< of each triangle, by place in the list of saddles
   std::size_t not_ordinary = 0;  ///< surfaces that are not what they are in general position; their triangles' sides
                                  ///< and boundaries may be wrong
 };

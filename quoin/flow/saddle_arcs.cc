@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "quoin/flow/saddle_arcs.h"
 
+#include "quoin/flow/critical_values.h"
+
 namespace quoin {
 
 namespace {
@@ -120,6 +122,28 @@ SaddleEnd SaddleArcs::end(std::uint32_t cell, const Context& context) {
     found.cell = end;
   }
   return found;
+}
+
+Point3 SaddleArcs::centre_of(std::uint32_t cell) const {
+  return to_nearest_doubles(CriticalValues(flow_.triangulation()).centre(cell));
+}
+
+std::vector<Point3> SaddleArcs::leg_points(std::uint32_t first, const Context& context) {
+  std::vector<Point3> points;
+  if (end_[first] == unknown) return points;
+  const Histogram cascades = cascades_;
+  const Leg way = leg(first, context);
+  cascades_ = cascades;
+  const std::uint32_t next = way.next & ~has_passed;
+  if (way.segments == 0) return points;
+  points.push_back(centre_of(first));
+  const bool crosses = flow_.way(first).kind == CellWay::Kind::edge;
+  const Rational unscale(flow_.triangulation().unscale());
+  for (std::uint32_t i = 1; crosses && i < crosser_.chain().size(); ++i) {
+    points.push_back(to_nearest_doubles(crosser_.chain().exact_point(i) * unscale));
+  }
+  if (next < first_saddle) points.push_back(centre_of(next));
+  return points;
 }
 
 std::array<SaddleEnd, 2> SaddleArcs::ends(CellFacet saddle, const Context& context) {

@@ -39,6 +39,11 @@ class SaddleArcs {
   /// The way of the circumcentre of a simplex; a ghost is at infinity. @throws Cancelled
   SaddleEnd end(std::uint32_t cell, const Context& context);
 
+  /// Points of the way from a Delone cell's centre to the next Voronoi vertex or to the end, the centre first, each
+  /// coordinate the nearest double; without what goes to infinity. Empty for cells that are on no way that was asked
+  /// for, and for those that have no way on. @throws Cancelled
+  std::vector<Point3> leg_points(std::uint32_t first, const Context& context);
+
   /// Constructed points between consecutive Voronoi vertices, for each vertex from which orbits cross facets.
   const Histogram& cascades() const { return cascades_; }
   const CellCrosser& crosser() const { return crosser_; }
@@ -50,6 +55,7 @@ class SaddleArcs {
     std::uint32_t segments = 0;
   };
   Leg leg(std::uint32_t first, const Context& context);
+  Point3 centre_of(std::uint32_t cell) const;
   void cross(const CellWay& way, Leg& leg, const Context& context);
   std::uint32_t along(CellFacet facet, bool is_above) const;
   void trace(std::uint32_t first, const Context& context);

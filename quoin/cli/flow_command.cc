@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "quoin/base/error.h"
+#include "quoin/cli/cell_outputs.h"
+#include "quoin/cli/commands.h"
+#include "quoin/cli/failure.h"
+#include "quoin/cli/flow_outputs.h"
+#include "quoin/cli/inputs.h"
+#include "quoin/cli/memory.h"
+#include "quoin/cli/point_input.h"
+#include "quoin/cli/planar.h"
+#include "quoin/cli/summary.h"
+#include "quoin/flow/flow_complex.h"
+#include "quoin/flow/flow_survey.h"
+
+namespace quoin::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double default_ratio = 0.5;
+
+Json of_histogram(const Histogram& histogram) {
+  return {{"count", histogram.count()}, {"mean", histogram.mean()},     {"deviation", histogram.deviation()},
+          {"mode", histogram.mode()},   {"median", histogram.median()}, {"most", histogram.most()}};
+}
+
+void add_crossings(Json& report, const CrossingStatistics& crossings) {
+  report["comparisons"] = crossings.comparisons;
+  report["undecided_by_doubles"] = crossings.undecided;
+  report["exact_points"] = crossings.exact_points;
+  report["most_bits"] = crossings.most_bits;
+}
+
+long alternating_sum(const std::array<std::size_t, 4>& counts) {
+  return static_cast<long>(counts[0] + counts[2]) - static_cast<long>(counts[1] + counts[3]);
+}
+
+/// What a command asks of points of space, and what of it is to be written.
+class FlowOfSpace {
+ public:
+  FlowOfSpace(const Delaunay3& triangulation, const Options& options, const Context& context)
+      : options_(options), context_(context), flow_(triangulation, context) {}
+
+  void report(Json& report) {
+    add_counts(report);
+    if (options_.stable == 2) report["stable"] = stable();
+    if (options_.unstable == 2) report["unstable"] = unstable();
+    if (options_.shape) report["shape"] = shape();
+    if (options_.simplify) report["simplified"] = simplified();
+    if (options_.reconstruct) report["solid"] = solid();
+  }
+
+  VtkGrid grid() {
+    VtkGrid grid;
+    if (options_.unstable == 2) return grid_of_arcs(flow_, context_);
+    if (options_.stable == 1) {
+      add_critical_edges(flow_, std::nullopt, grid, context_);
+      return grid;
+    }
+    if (!has_surfaces()) return grid_of_critical_points(graph(), context_);
+    if (options_.shape) add_critical_edges(flow_, square_of(*options_.shape), grid, context_);
+    add_surfaces(mesh(), walls_, graph(), grid);
+    return grid;
+  }
+
+  const FlowMesh& mesh() {
+    if (mesh_) return *mesh_;
+    context_.progress("surfaces", 0);
+    if (options_.stable == 2) {
+      flow_.for_each_saddle(context_, [this](CellFacet facet) { walls_.push_back({facet, false}); });
+    }
+    return mesh_.emplace(flow_mesh(flow_, walls_, context_));
+  }
+
+  bool has_surfaces() const {
+    return options_.stable == 2 || options_.shape || options_.simplify || options_.reconstruct;
+  }
+
+ private:
+  static Rational square_of(double distance) { return Rational(distance) * Rational(distance); }
+
+  const FlowGraph& graph() {
+    if (!graph_) {
+      context_.progress("ways to maxima", 0);
+      graph_ = std::make_unique<FlowGraph>(flow_, context_);
+    }
+    return *graph_;
+  }
+
+  void add_counts(Json& report) const {
+    report["critical"] = flow_.counts();
+    report["euler_characteristic"] = alternating_sum(flow_.counts());
+    report["undecided_by_doubles"] = flow_.undecided().centres + flow_.undecided().spheres;
+  }
+
+  Json stable() const {
+    context_.progress("stable surfaces", 0);
+    const StableSurvey survey = survey_stable(flow_, context_);
+    Json json{{"triangles", survey.triangles},
+              {"depth", of_histogram(survey.depths)},
+              {"with_voronoi_vertex", survey.with_voronoi_vertex},
+              {"with_solid_part", survey.with_solid_part},
+              {"with_regular_point", survey.with_regular_point}};
+    add_crossings(json, survey.crossings);
+    return json;
+  }
+
+  Json unstable() const {
+    context_.progress("ways to maxima", 0);
+    const UnstableSurvey survey = survey_unstable(flow_, context_);
+    Json json{{"segments", of_histogram(survey.segments)},
+              {"cascades", of_histogram(survey.cascades)},
+              {"to_infinity", survey.to_infinity},
+              {"passed_regular_point", survey.passed_regular},
+              {"end_in_saddle", survey.in_saddles}};
+    add_crossings(json, survey.crossings);
+    return json;
+  }
+
+  Json shape() {
+    const Rational square = square_of(*options_.shape);
+    const std::array<std::size_t, 4> counts = graph().counts(square, context_);
+    for (std::uint32_t i = 0; i < graph().saddles().size(); ++i) {
+      const FlowGraph::Saddle& saddle = graph().saddles()[i];
+      if (graph().exact_square_of_saddle(i) <= square) walls_.push_back({saddle.facet, false});
+    }
+    return {{"distance", *options_.shape},
+            {"critical", counts},
+            {"euler_characteristic", alternating_sum(counts)},
+            {"betti_numbers", graph().betti_numbers(square, context_)}};
+  }
+
+  Json simplified() {
+    const std::vector<std::uint32_t> becomes = graph().simplified(*options_.simplify, context_);
+    std::size_t left = 0;
+    std::size_t outside = 0;
+    for (std::uint32_t i = 0; i < becomes.size(); ++i) {
+      left += becomes[i] == i ? 1 : 0;
+      outside += becomes[i] == graph().infinity() ? 1 : 0;
+    }
+    walls_ = walls_between(graph(), becomes);
+    return {{"within", *options_.simplify},
+            {"maxima", left},
+            {"maxima_joined_to_infinity", outside},
+            {"wall_saddles", walls_.size()}};
+  }
+
+  Json solid() {
+    const double ratio = options_.ratio.value_or(default_ratio);
+    const FlowSolid solid = flow_solid(graph(), {.ratio = ratio}, context_);
+    walls_ = solid.wall;
+    return {{"ratio", ratio},
+            {"maxima_inside", std::count(solid.is_inside.begin(), solid.is_inside.end(), true)},
+            {"wall_saddles", walls_.size()},
+            {"triangles", mesh().triangles.size()},
+            {"surfaces_not_ordinary", mesh().not_ordinary}};
+  }
+
+  const Options& options_;
+  const Context& context_;
+  FlowCells flow_;
+  std::unique_ptr<FlowGraph> graph_;
+  std::vector<WallSaddle> walls_;
+  std::optional<FlowMesh> mesh_;
+};
+
+void require_one_thing(const Options& options) {
+  const int things = (options.stable > 0 ? 1 : 0) + (options.unstable > 0 ? 1 : 0) + (options.shape ? 1 : 0) +
+                     (options.simplify ? 1 : 0) + (options.reconstruct ? 1 : 0);
+  if (options.ratio && !options.reconstruct) throw UsageError("--ratio is that of --reconstruct");
+  if (things > 1 && (!options.outputs.empty() || (options.shape || options.simplify || options.reconstruct)))
+    throw UsageError(
+        "one of --stable, --unstable, --shape, --simplify and --reconstruct at a time; without outputs also "
+        "--stable with --unstable");
+}
+
+bool asks_for_more(const Options& options) {
+  return options.stable > 0 || options.unstable > 0 || options.shape || options.simplify || options.reconstruct;
+}
+
+}  // namespace
+
+int run_flow(const Options& options, const Context& context) {
+  require_one_thing(options);
+  std::vector<std::string> warnings;
+  PointFile file = read_point_input(options, warnings, context);
+  if (options.onto_plane) {
+    for (Point3& p : file.points) p.z = 0;
+  }
+  announce_memory(file.points.size() * (options.outputs.empty() ? 700 : 3000), file.points.size(), options);
+  const Delaunay3 triangulation(file.points, context, {.is_canonical = true});
+  Json report = describe(file, options);
+  report["distinct"] = triangulation.vertex_count();
+  report["dimension"] = triangulation.dimension();
+  if (triangulation.dimension() < 3) {
+    if (asks_for_more(options) || !options.outputs.empty())
+      throw InputError(shown(options.inputs[0]) +
+                       ": the points are in one plane: their critical points are counted, no more");
+    const FlowComplex flow(triangulation, context);
+    report["critical"] = flow.counts();
+    report["euler_characteristic"] = alternating_sum(flow.counts());
+  } else {
+    FlowOfSpace flow(triangulation, options, context);
+    flow.report(report);
+    write_cells([&] { return flow.grid(); },
+                [&] { return flow.has_surfaces() ? mesh_of_surfaces(flow.mesh()) : Mesh{}; }, options, warnings,
+                context);
+  }
+  const std::string text = as_text(report);
+  print_report(std::move(report), text, warnings, options);
+  return 0;
+}
+
+}  // namespace quoin::cli

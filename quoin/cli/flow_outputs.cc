@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quoin/cli/flow_outputs.h"
+
+#include <cmath>
+#include <map>
+
+#include "quoin/flow/saddle_arcs.h"
+
+namespace quoin::cli {
+
+namespace {
+
+/// The distance from bounds of its square.
+double distance(const Interval& square) {
+  return std::sqrt(square.lower() + (square.upper() - square.lower()) / 2);
+}
+
+/// The arrays of cells, made when they are first needed.
+std::vector<std::uint32_t>& integers(VtkGrid& grid, std::size_t i) {
+  if (grid.cell_integers.empty()) grid.cell_integers = {{"index", {}}, {"number", {}}};
+  return grid.cell_integers[i].second;
+}
+std::vector<double>& distances(VtkGrid& grid) {
+  if (grid.cell_doubles.empty()) grid.cell_doubles = {{"distance", {}}};
+  return grid.cell_doubles[0].second;
+}
+
+void add(VtkGrid& grid, VtkCell type, std::span<const std::uint32_t> corners, std::uint32_t index, std::uint32_t number,
+         double at) {
+  grid.add_cell(type, corners);
+  integers(grid, 0).push_back(index);
+  integers(grid, 1).push_back(number);
+  distances(grid).push_back(at);
+}
+
+std::uint32_t add_point(VtkGrid& grid, const Point3& p) {
+  grid.points.push_back(p);
+  return static_cast<std::uint32_t>(grid.points.size() - 1);
+}
+
+}  // namespace
+
+VtkGrid grid_of_critical_points(const FlowGraph& graph, const Context& context) {
+  VtkGrid grid;
+  const FlowCells& flow = graph.cells();
+  const CriticalValues values(flow.triangulation());
+  const auto add_one = [&](const Point3& p, std::uint32_t index, std::uint32_t number, double at) {
+    if (grid.points.size() % 256 == 0) context.poll();
+    const std::uint32_t corner = add_point(grid, p);
+    add(grid, VtkCell::vertex, std::span(&corner, 1), index, number, at);
+  };
+  for (std::uint32_t v = 0; v < flow.triangulation().vertex_count(); ++v) {
+    add_one(flow.triangulation().point(v), 0, flow.triangulation().inputs(v)[0], 0);
+  }
+  std::uint32_t edges = 0;
+  flow.for_each_critical_edge(context, [&](std::uint32_t cell, unsigned edge) {
+    add_one(to_nearest_doubles(values.midpoint(cell, edge)), 1, edges++, distance(values.of_edge(cell, edge)));
+  });
+  for (std::uint32_t i = 0; i < graph.saddles().size(); ++i) {
+    add_one(to_nearest_doubles(values.centre(graph.saddles()[i].facet)), 2, i, distance(graph.saddles()[i].square));
+  }
+  for (std::uint32_t i = 0; i < graph.maxima().size(); ++i) {
+    add_one(to_nearest_doubles(values.centre(graph.maxima()[i].cell)), 3, i, distance(graph.maxima()[i].square));
+  }
+  return grid;
+}
+
+void add_critical_edges(const FlowCells& flow, const std::optional<Rational>& most, VtkGrid& grid,
+                        const Context& context) {
+  const CriticalValues values(flow.triangulation());
+  std::map<std::uint32_t, std::uint32_t> corner_of;
+  std::uint32_t count = 0;
+  flow.for_each_critical_edge(context, [&](std::uint32_t cell, unsigned edge) {
+    const std::uint32_t number = count++;
+    if (most && values.exactly_of_edge(cell, edge) > *most) return;
+    std::array<std::uint32_t, 2> corners{};
+    for (unsigned i = 0; i < 2; ++i) {
+      const std::uint32_t v = flow.cells()[cell].vertices[edge_slots[edge][i]];
+      const auto [at, is_new] = corner_of.try_emplace(v, 0);
+      if (is_new) at->second = add_point(grid, flow.triangulation().point(v));
+      corners[i] = at->second;
+    }
+    add(grid, VtkCell::line, corners, 1, number, distance(values.of_edge(cell, edge)));
+  });
+}
+
+void add_surfaces(const FlowMesh& mesh, std::span<const WallSaddle> saddles, const FlowGraph& graph, VtkGrid& grid) {
+  const auto first = static_cast<std::uint32_t>(grid.points.size());
+  grid.points.insert(grid.points.end(), mesh.points.begin(), mesh.points.end());
+  const CriticalValues values(graph.cells().triangulation());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    std::array<std::uint32_t, 3> corners = mesh.triangles[t];
+    for (std::uint32_t& corner : corners) corner += first;
+    const std::uint32_t saddle = mesh.saddle_of[t];
+    add(grid, VtkCell::triangle, corners, 2, saddle, distance(values.of_facet(saddles[saddle].facet)));
+  }
+}
+
+VtkGrid grid_of_arcs(const FlowCells& flow, const Context& context) {
+  VtkGrid grid;
+  const CriticalValues values(flow.triangulation());
+  SaddleArcs arcs(flow);
+  const auto add_line = [&](std::span<const Point3> points, std::uint32_t number) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const std::uint32_t at = add_point(grid, points[i]);
+      if (i == 0) continue;
+      grid.add_cell(VtkCell::line, std::array{at - 1, at});
+      if (grid.cell_integers.empty()) grid.cell_integers = {{"number", {}}};
+      grid.cell_integers[0].second.push_back(number);
+    }
+  };
+  std::uint32_t number = 0;
+  flow.for_each_saddle(context, [&](CellFacet saddle) {
+    arcs.ends(saddle, context);
+    const Point3 centre = to_nearest_doubles(values.centre(saddle));
+    for (const std::uint32_t cell : {saddle.cell, flow.mate(saddle).cell}) {
+      if (flow.is_ghost(cell)) continue;
+      add_line(std::array{centre, to_nearest_doubles(values.centre(flow.first_of(cell)))}, number);
+    }
+    ++number;
+  });
+  for (std::uint32_t c = 0; c < flow.cells().size(); ++c) {
+    if (c % 64 == 0) context.poll();
+    if (!flow.is_ghost(c)) add_line(arcs.leg_points(c, context), number++);
+  }
+  return grid;
+}
+
+Mesh mesh_of_surfaces(const FlowMesh& surfaces) {
+  Mesh mesh;
+  mesh.vertices = surfaces.points;
+  for (const std::array<std::uint32_t, 3>& t : surfaces.triangles) mesh.add_face(t);
+  return mesh;
+}
+
+}  // namespace quoin::cli

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "quoin/base/context.h"
+#include "quoin/flow/flow_reconstruction.h"
+#include "quoin/io/mesh_file.h"
+#include "quoin/io/vtk_grid.h"
+
+namespace quoin::cli {
+
+/// Critical points up to a squared distance, or all: vertices with `index`, `distance` and of input points `input`.
+VtkGrid grid_of_critical_points(const FlowGraph& graph, const Context& context);
+
+/// Lines: critical edges, up to a squared distance if there is one, with `index` and `distance`.
+void add_critical_edges(const FlowCells& flow, const std::optional<Rational>& most, VtkGrid& grid,
+                        const Context& context);
+
+/// Triangles of stable surfaces with `index`, the number of their saddle and its `distance`; numbers are places in the
+/// list of saddles.
+void add_surfaces(const FlowMesh& mesh, std::span<const WallSaddle> saddles, const FlowGraph& graph, VtkGrid& grid);
+
+/// Lines: ways of all saddles, from each Voronoi vertex to the next.
+VtkGrid grid_of_arcs(const FlowCells& flow, const Context& context);
+
+/// The triangles alone.
+Mesh mesh_of_surfaces(const FlowMesh& mesh);
+
+}  // namespace quoin::cli
