@@ -13,8 +13,8 @@
 #include "quoin/cli/flow_outputs.h"
 #include "quoin/cli/inputs.h"
 #include "quoin/cli/memory.h"
-#include "quoin/cli/point_input.h"
 #include "quoin/cli/planar.h"
+#include "quoin/cli/point_input.h"
 #include "quoin/cli/summary.h"
 #include "quoin/flow/flow_complex.h"
 #include "quoin/flow/flow_survey.h"
@@ -67,7 +67,8 @@ class FlowOfSpace {
     }
     if (!has_surfaces()) return grid_of_critical_points(graph(), context_);
     if (options_.shape) add_critical_edges(flow_, square_of(*options_.shape), grid, context_);
-    add_surfaces(mesh(), walls_, graph(), grid);
+    const FlowMesh& surfaces = mesh();
+    add_surfaces(surfaces, walls_, graph(), grid);
     return grid;
   }
 
@@ -172,6 +173,20 @@ class FlowOfSpace {
   std::optional<FlowMesh> mesh_;
 };
 
+/// The report as lines for people: what is inside objects with the objects' names in front.
+Json flat(const Json& report) {
+  Json lines;
+  for (const auto& [key, value] : report.items()) {
+    if (!value.is_object()) {
+      lines[key] = value;
+      continue;
+    }
+    const Json inside = flat(value);
+    for (const auto& [inner, number] : inside.items()) lines[key + " " + inner] = number;
+  }
+  return lines;
+}
+
 void require_one_thing(const Options& options) {
   const int things = (options.stable > 0 ? 1 : 0) + (options.unstable > 0 ? 1 : 0) + (options.shape ? 1 : 0) +
                      (options.simplify ? 1 : 0) + (options.reconstruct ? 1 : 0);
@@ -214,7 +229,7 @@ int run_flow(const Options& options, const Context& context) {
                 [&] { return flow.has_surfaces() ? mesh_of_surfaces(flow.mesh()) : Mesh{}; }, options, warnings,
                 context);
   }
-  const std::string text = as_text(report);
+  const std::string text = as_text(flat(report));
   print_report(std::move(report), text, warnings, options);
   return 0;
 }

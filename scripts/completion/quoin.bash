@@ -3,7 +3,7 @@
 _quoin() {
   local word="${COMP_WORDS[COMP_CWORD]}" previous="${COMP_WORDS[COMP_CWORD - 1]}"
   local commands="union intersection difference xor csg info check repair convert view classify section interfere \
-hull minkowski erode decompose gaussian-map distance width homology persistence delaunay voronoi alpha assembly arrange overlay locate polygon envelope"
+hull minkowski erode decompose gaussian-map distance width homology persistence delaunay voronoi alpha flow assembly arrange overlay locate polygon envelope"
   local common="--json --threads --timeout --seed --weld -q --quiet -v --verbose -h --help"
   local makes="-o --output --format --accept-rounding"
   local draws="-o --output --format --labels"
@@ -23,7 +23,7 @@ hull minkowski erode decompose gaussian-map distance width homology persistence 
       case "${COMP_WORDS[1]}" in
         arrange | overlay | locate | gaussian-map) formats="svg html" ;;
         assembly) formats="json html" ;;
-        delaunay | voronoi) formats="vtk ply obj off" ;;
+        delaunay | voronoi | flow) formats="vtk ply obj off" ;;
         alpha) formats="vtk ply obj off txt" ;;
         polygon) formats="wkt geojson dxf svg html" ;;
       esac
@@ -43,7 +43,15 @@ hull minkowski erode decompose gaussian-map distance width homology persistence 
       return
       ;;
     --plane) [[ ${COMP_WORDS[1]} == section ]] && return ;;
-    --memory | --value | --radius | --pieces | --ball | --within | --translate | --direction | --prime | --threads | --timeout | --seed | --weld | --point | --line | --flatten | --distance | --precision | --base | --limit) return ;;
+    --stable)
+      mapfile -t COMPREPLY < <(compgen -W "1 2" -- "$word")
+      return
+      ;;
+    --unstable)
+      mapfile -t COMPREPLY < <(compgen -W "2" -- "$word")
+      return
+      ;;
+    --memory | --value | --radius | --pieces | --shape | --simplify | --ratio | --ball | --within | --translate | --direction | --prime | --threads | --timeout | --seed | --weld | --point | --line | --flatten | --distance | --precision | --base | --limit) return ;;
   esac
   if [[ $word == -* ]]; then
     local options="$common"
@@ -58,6 +66,7 @@ hull minkowski erode decompose gaussian-map distance width homology persistence 
       alpha)
         options+=" -o --output --format --input-format --plane --memory --weighted --value --radius --pieces --values --exact --graph"
         ;;
+      flow) options+=" -o --output --format --input-format --plane --memory --stable --unstable --shape --simplify --reconstruct --ratio" ;;
       assembly)
         options+=" -o --output --format --sequence --sequence-only --infinitesimal --direction --one-part --base --prune --limit"
         ;;

@@ -19,9 +19,10 @@ COMMANDS = {"union": ["a.off", "b.off"], "intersection": ["a.off", "b.off"], "di
             "erode": ["a.off", "b.off"], "decompose": ["a.off", "-o", "p.off"],
             "distance": ["a.off", "b.off"], "width": ["a.off"], "gaussian-map": ["a.off"], "assembly": ["a.off", "far.off"],
             "homology": ["a.off"], "persistence": ["a.txt"],
-            "delaunay": ["a.off"], "voronoi": ["a.off"], "alpha": ["a.off"]}
+            "delaunay": ["a.off"], "voronoi": ["a.off"], "alpha": ["a.off"],
+            "flow": ["a.off", "--stable", "2"]}
 DRAWERS = ("section", "persistence")  # which write svg alone
-TRIANGULATORS = ("delaunay", "voronoi", "alpha")  # which write vtk and some meshes
+TRIANGULATORS = ("delaunay", "voronoi", "alpha", "flow")  # which write vtk and some meshes
 MAKERS = ("union", "intersection", "difference", "xor", "csg", "repair", "convert", "view", "hull", "minkowski", "erode")
 
 

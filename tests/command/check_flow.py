@@ -1,0 +1,177 @@
+# SPDX-License-Identifier: Apache-2.0
+"""flow.
+
+    check_flow.py QUOIN
+"""
+import itertools
+import math
+import random
+import unittest
+from fractions import Fraction
+
+from check_points import CUBE, cloud, read_vtk, text_of
+from command import REFUSED, USAGE, CommandTest, main
+
+
+def solve(rows, right):
+    """Of linear equations with one solution."""
+    m = [list(map(Fraction, r)) + [Fraction(b)] for r, b in zip(rows, right)]
+    for i in range(len(m)):
+        pivot = next(k for k in range(i, len(m)) if m[k][i] != 0)
+        m[i], m[pivot] = m[pivot], m[i]
+        m[i] = [x / m[i][i] for x in m[i]]
+        for k in range(len(m)):
+            if k != i:
+                m[k] = [a - m[k][i] * b for a, b in zip(m[k], m[i])]
+    return [r[-1] for r in m]
+
+
+def dot(a, b):
+    return sum(x * y for x, y in zip(a, b))
+
+
+def minus(a, b):
+    return [Fraction(x) - Fraction(y) for x, y in zip(a, b)]
+
+
+def critical_points(points):
+    """By definition, in general position: index and squared distance, of simplices with their centre inside and no other
+    point in the closed ball."""
+    found = []
+    for size in range(1, 5):
+        for simplex in itertools.combinations(points, size):
+            sides = [minus(p, simplex[0]) for p in simplex[1:]]
+            weights = solve([[2 * dot(a, b) for b in sides] for a in sides], [dot(a, a) for a in sides])
+            weights = [1 - sum(weights)] + weights
+            if any(w <= 0 for w in weights):
+                continue
+            centre = [sum(w * Fraction(p[k]) for w, p in zip(weights, simplex)) for k in range(3)]
+            square = dot(minus(centre, simplex[0]), minus(centre, simplex[0]))
+            if all(p in simplex or dot(minus(p, centre), minus(p, centre)) > square for p in points):
+                found.append((size - 1, square))
+    return found
+
+
+def counts(found, most=None):
+    return [sum(1 for i, square in found if i == index and (most is None or square <= most)) for index in range(4)]
+
+
+def components(points, distance):
+    left = set(points)
+    number = 0
+    while left:
+        number += 1
+        open_ones = [left.pop()]
+        while open_ones:
+            p = open_ones.pop()
+            near = [q for q in left if dot(minus(p, q), minus(p, q)) <= 4 * Fraction(distance) ** 2]
+            left.difference_update(near)
+            open_ones += near
+    return number
+
+
+def torus(around, along):
+    source = random.Random(3)
+    points = []
+    for i, j in itertools.product(range(around), range(along)):
+        a = 2 * math.pi * (i + 0.3 * source.random()) / around
+        b = 2 * math.pi * (j + 0.3 * source.random()) / along
+        points.append(((3 + math.cos(b)) * math.cos(a), (3 + math.cos(b)) * math.sin(a), math.sin(b)))
+    return points
+
+
+class Flow(CommandTest):
+    def test_counts_are_those_of_the_definition(self):
+        for seed in range(3):
+            points = cloud(11, 3, seed=seed)
+            found = critical_points(points)
+            report = self.json_of("flow", "-", "-o", "c.vtk", stdin=text_of(points))
+            self.assertEqual((report["critical"], report["euler_characteristic"]), (counts(found), 1))
+            _, cells, arrays = read_vtk(self.read("c.vtk").decode())
+            self.assertEqual({t for t, _ in cells}, {1})
+            written = sorted(zip(map(int, arrays["index"]), arrays["distance"]))
+            for (index, distance), (i, square) in zip(written, sorted((i, float(s)) for i, s in found)):
+                self.assertEqual(index, i)
+                self.assertAlmostEqual(distance, math.sqrt(square))
+            for distance in (0.1, 0.2, 0.3, 0.4):
+                shape = self.json_of("flow", "-", "--shape", repr(distance), stdin=text_of(points))["shape"]
+                self.assertEqual(shape["critical"], counts(found, Fraction(distance) ** 2))
+                betti = shape["betti_numbers"]
+                self.assertEqual(betti[0], components(points, distance))
+                self.assertEqual(betti[0] - betti[1] + betti[2], shape["euler_characteristic"])
+
+    def test_degenerate_points(self):
+        cube = text_of(CUBE)
+        report = self.json_of("flow", "-", "--stable", "2", "--unstable", "2", stdin=cube + cube)
+        self.assertEqual((report["points"], report["distinct"], report["critical"]), (16, 8, [8, 12, 6, 1]))
+        self.assertEqual((report["stable"]["triangles"], report["stable"]["depth"]["most"]), (48, 1))
+        self.assertEqual((report["unstable"]["segments"]["count"], report["unstable"]["to_infinity"]), (12, 6))
+        for points in (cloud(60, 3, grid=4), [(x, y, z) for x in range(4) for y in range(4) for z in range(3)]):
+            self.assertEqual(self.json_of("flow", "-", stdin=text_of(points))["euler_characteristic"], 1)
+        for text, expected in (("1 2 3\n", [1, 0, 0, 0]), ("0 0 0\n2 0 0\n5 0 0\n", [3, 2, 0, 0]),
+                               ("0 0\n1 0\n0 1\n1 1\n", [4, 4, 1, 0])):
+            self.assertEqual(self.json_of("flow", "-", stdin=text)["critical"], expected)
+            self.assertIn("one plane", self.run_quoin("flow", "-", "--stable", "2", stdin=text, code=REFUSED).stderr)
+        self.assertEqual(self.json_of("flow", "-", "--plane", stdin=cube)["critical"], [4, 4, 1, 0])
+
+    def test_what_is_written(self):
+        self.write("c.xyz", text_of(CUBE))
+        for words, kinds in ((["--stable", "1"], {3: 12}), (["--stable", "2"], {5: 48}), (["--unstable", "2"], {3: 6}),
+                             (["--shape", "0.6"], {3: 12}), (["--shape", "0.8"], {3: 12, 5: 48}),
+                             (["--simplify", "0"], {5: 48})):
+            self.run_quoin("flow", "c.xyz", *words, "-o", "c.vtk")
+            _, cells, arrays = read_vtk(self.read("c.vtk").decode())
+            found = {t: sum(1 for kind, _ in cells if kind == t) for t, _ in cells}
+            self.assertEqual(found, kinds, words)
+            self.assertEqual(len(arrays["number"]), len(cells))
+        done = self.run_quoin("flow", "c.xyz", "--stable", "1", "-o", "c.off")
+        self.assertIn("no faces", done.stderr)
+
+    def test_shallow_maxima(self):
+        self.write("r.xyz", text_of(cloud(200, 3)))
+        maxima = self.json_of("flow", "r.xyz")["critical"][3]
+        before = maxima
+        for within in (0, 0.001, 0.01, 0.1):
+            left = self.json_of("flow", "r.xyz", "--simplify", repr(within))["simplified"]["maxima"]
+            self.assertLessEqual(left, before)
+            before = left
+        self.assertEqual(self.json_of("flow", "r.xyz", "--simplify", "0")["simplified"]["maxima"], maxima)
+        self.assertLess(before, maxima)
+
+    def test_a_torus_is_found_again(self):
+        self.write("t.xyz", text_of(torus(40, 15)))
+        report = self.json_of("flow", "t.xyz", "--reconstruct", "-o", "t.off", "-o", "t.vtk")["solid"]
+        solid = self.json_of("info", "t.off")
+        self.assertEqual((solid["closed"], solid["manifold"], solid["components"]), (True, True, 1))
+        self.assertAlmostEqual(solid["volume"], 2 * math.pi ** 2 * 3, delta=4)
+        self.assertEqual(len(read_vtk(self.read("t.vtk").decode())[1]), report["triangles"])
+        lines = self.read("t.off").decode().split("\n")
+        vertices, faces = map(int, lines[1].split()[:2])
+        self.assertEqual((faces, 2 * vertices), (report["triangles"], faces))
+        self.assertEqual(self.json_of("flow", "t.xyz", "--reconstruct", "--ratio", "0")["solid"]["maxima_inside"], 0)
+
+    def test_mistakes(self):
+        self.write("c.xyz", text_of(CUBE))
+        for mistake in (["--stable", "3"], ["--unstable", "1"], ["--shape", "-1"], ["--shape", "nan"], ["--ratio", "0.3"],
+                        ["--simplify", "x"], ["--reconstruct", "--ratio", "2"], ["--reconstruct", "--shape", "1"],
+                        ["--stable", "2", "--unstable", "2", "-o", "x.vtk"], ["-o", "x.stl"], ["-o", "x.svg"]):
+            self.run_quoin("flow", "c.xyz", *mistake, code=USAGE)
+        self.assertIn("more than --memory", self.run_quoin("flow", "c.xyz", "--memory", "0.001", code=REFUSED).stderr)
+
+    def test_order_and_extremes(self):
+        points = cloud(40, 3, seed=5)
+        text = self.run_quoin("flow", "-", "--stable", "2", "-o", "-", stdin=text_of(points)).stdout
+        shuffled = points[:]
+        random.Random(1).shuffle(shuffled)
+        again = self.run_quoin("flow", "-", "--stable", "2", "-o", "-", stdin=text_of(shuffled)).stdout
+        self.assertEqual(text, again)
+        expected = self.json_of("flow", "-", "--unstable", "2", stdin=text_of(points))
+        for factor in (2.0 ** 900, 2.0 ** -900):
+            scaled = [tuple(c * factor for c in p) for p in points]
+            found = self.json_of("flow", "-", "--unstable", "2", stdin=text_of(scaled))
+            self.assertEqual((found["critical"], found["unstable"]["segments"]),
+                             (expected["critical"], expected["unstable"]["segments"]))
+
+
+if __name__ == "__main__":
+    main()
