@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The flow complex of scans rounded to a grid, one thread: critical points, and how long tables, stable surfaces and
 // unstable arcs take beside the triangulation.
-// Usage: flow_bench [doubles] [points ...]; 2700, 12600 and 33700 if none are given; `doubles` leaves out the grid.
-// Memory is that of the whole process, so give one number for it.
+// Usage: flow_bench [doubles] [memory] [points ...]; 2700, 12600 and 33700 if none are given; `doubles` leaves out the
+// grid; `memory` prints memory instead, of one number of points.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -13,8 +13,7 @@
 #include <vector>
 
 #include "peak_memory.h"
-#include "quoin/flow/saddle_arcs.h"
-#include "quoin/flow/saddle_surfaces.h"
+#include "quoin/flow/flow_survey.h"
 
 namespace {
 
@@ -60,90 +59,84 @@ double per(long kb, std::size_t points) {
   return 1024.0 * static_cast<double>(kb) / static_cast<double>(points);
 }
 
-void stable(const FlowCells& flow, double tables, double delaunay, const Context& context) {
-  Clock clock;
-  SaddleSurfaces surfaces(flow);
-  Histogram depths;
-  std::size_t triangles = 0;
-  std::size_t at_vertex = 0;
-  std::size_t at_midpoint = 0;
-  flow.for_each_saddle(context, [&](CellFacet saddle) {
-    const SurfacePieces& surface = surfaces.follow(saddle, context);
-    triangles += 2 * surface.pieces.size();
-    at_vertex += surface.has_voronoi_vertex ? 1 : 0;
-    at_midpoint += surface.has_regular_point ? 1 : 0;
-    for (const SurfacePiece& piece : surface.pieces) {
-      if (piece.is_side) depths.add(piece.depth);
-    }
-  });
-  const double seconds = clock.lap();
-  std::printf(
-      "  S2 %.3f s, with tables %.2f D; %zu triangles, nS2 mean %.2f most %zu; flagged: vertex %zu, midpoint %zu; "
-      "%zu of %zu comparisons undecided, %zu exact points of at most %zu bits\n",
-      seconds, (tables + seconds) / delaunay, triangles, depths.mean(), depths.most(), at_vertex, at_midpoint,
-      surfaces.crosser().undecided_count(), surfaces.crosser().comparison_count(),
-      surfaces.crosser().chain().exact_count(), surfaces.crosser().chain().most_bits());
+void print(const char* name, const CrossingStatistics& crossings) {
+  std::printf("; %zu comparisons, %zu %s not decided by doubles, %zu exact points of at most %zu bits\n",
+              crossings.comparisons, crossings.undecided, name, crossings.exact_points, crossings.most_bits);
 }
 
-void unstable(const FlowCells& flow, double tables, double delaunay, const Context& context) {
-  Clock clock;
-  SaddleArcs arcs(flow);
-  Histogram segments;
-  std::size_t passed = 0;
-  std::size_t in_saddles = 0;
-  flow.for_each_saddle(context, [&](CellFacet saddle) {
-    for (const SaddleEnd& end : arcs.ends(saddle, context)) {
-      segments.add(end.segments);
-      passed += end.has_passed_regular ? 1 : 0;
-      in_saddles += end.kind == SaddleEnd::Kind::saddle ? 1 : 0;
-    }
-  });
-  const double seconds = clock.lap();
+/// Largest memory so far, beyond the points.
+void measure_memory(const std::vector<Point3>& points) {
+  const Context context({.threads = 1});
+  const long before = resident_kb();
+  const Delaunay3 triangulation(points, context);
+  const long with_triangulation = peak_kb() - before;
+  const FlowCells flow(triangulation, context);
+  const StableSurvey stable = survey_stable(flow, context);
+  const UnstableSurvey unstable = survey_unstable(flow, context);
+  const long with_all = peak_kb() - before;
   std::printf(
-      "  U2 %.3f s, with tables %.2f D; nU2 mean %.2f most %zu; cascades mean %.2f most %zu; %zu of %zu comparisons "
-      "undecided, %zu exact points of at most %zu bits; %zu passed a regular point, %zu end in saddles\n",
-      seconds, (tables + seconds) / delaunay, segments.mean(), segments.most(), arcs.cascades().mean(),
-      arcs.cascades().most(), arcs.crosser().undecided_count(), arcs.crosser().comparison_count(),
-      arcs.crosser().chain().exact_count(), arcs.crosser().chain().most_bits(), passed, in_saddles);
+      "%zu points, %zu triangles, %zu ways: %.0f B per point for the triangulation, %.0f B with tables and ways, "
+      "%.2f\n",
+      points.size(), stable.triangles, unstable.segments.count(), per(with_triangulation, points.size()),
+      per(with_all, points.size()), static_cast<double>(with_all) / static_cast<double>(with_triangulation));
 }
 
 void measure(const std::vector<Point3>& points) {
   const Context context({.threads = 1});
-  const long before = resident_kb();
   Clock clock;
-  const Delaunay3 triangulation(points, context, {.is_canonical = std::getenv("CANON") != nullptr});
-  const double delaunay = clock.lap();
-  const long with_triangulation = peak_kb();
-  clock.lap();
+  double delaunay = 0;
+  {
+    const Delaunay3 unordered(points, context);
+    delaunay = clock.lap();
+  }
+  const Delaunay3 triangulation(points, context, {.is_canonical = true});
+  const double ordered = clock.lap();
   const FlowCells flow(triangulation, context);
   const double tables = clock.lap();
   const std::array<std::size_t, 4> c = flow.counts();
-  std::printf(
-      "%zu points, %zu distinct: critical %zu %zu %zu %zu, sum %ld; D %.3f s, tables %.2f D; %zu centre signs and "
-      "%zu spheres not decided by doubles\n",
-      points.size(), triangulation.vertex_count(), c[0], c[1], c[2], c[3],
-      static_cast<long>(c[0] + c[2]) - static_cast<long>(c[1] + c[3]), delaunay, tables / delaunay,
-      flow.undecided().centres, flow.undecided().spheres);
-  stable(flow, tables, delaunay, context);
-  unstable(flow, tables, delaunay, context);
   const std::size_t n = triangulation.vertex_count();
-  std::printf("  memory per point: %.0f B at the end of the triangulation, %.0f B at most (%.2f)\n",
-              per(with_triangulation - before, n), per(peak_kb() - before, n),
-              static_cast<double>(peak_kb() - before) / static_cast<double>(with_triangulation - before));
+  std::printf(
+      "%zu points, %zu distinct: critical %zu %zu %zu %zu, sum %ld; D %.3f s, in canonical order %.2f D; tables "
+      "%.3f s, %.2f D; %zu centre signs and %zu spheres not decided by doubles\n",
+      points.size(), n, c[0], c[1], c[2], c[3], static_cast<long>(c[0] + c[2]) - static_cast<long>(c[1] + c[3]),
+      delaunay, ordered / delaunay, tables, tables / delaunay, flow.undecided().centres, flow.undecided().spheres);
+  clock.lap();
+  const StableSurvey stable = survey_stable(flow, context);
+  const double s2 = clock.lap();
+  std::printf(
+      "  S2 %.3f s, with tables %.2f D; %zu triangles, nS2 mean %.2f most %zu; flagged: vertex %zu, midpoint %zu", s2,
+      (tables + s2) / delaunay, stable.triangles, stable.depths.mean(), stable.depths.most(),
+      stable.with_voronoi_vertex, stable.with_regular_point);
+  print("facets", stable.crossings);
+  clock.lap();
+  const UnstableSurvey unstable = survey_unstable(flow, context);
+  const double u2 = clock.lap();
+  std::printf(
+      "  U2 %.3f s, with tables %.2f D; nU2 mean %.2f most %zu; cascades mean %.2f most %zu; %zu passed a regular "
+      "point, %zu end in saddles",
+      u2, (tables + u2) / delaunay, unstable.segments.mean(), unstable.segments.most(), unstable.cascades.mean(),
+      unstable.cascades.most(), unstable.passed_regular, unstable.in_saddles);
+  print("facets", unstable.crossings);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   bool is_rounded = true;
+  bool is_memory = false;
   std::vector<std::size_t> counts;
   for (int i = 1; i < argc; ++i) {
     if (std::string(argv[i]) == "doubles") {
       is_rounded = false;
+    } else if (std::string(argv[i]) == "memory") {
+      is_memory = true;
     } else {
       counts.push_back(std::strtoull(argv[i], nullptr, 10));
     }
   }
   if (counts.empty()) counts = {2700, 12600, 33700};
-  for (const std::size_t count : counts) measure(scan(count, is_rounded));
+  for (const std::size_t count : counts) {
+    const std::vector<Point3> points = scan(count, is_rounded);
+    is_memory ? measure_memory(points) : measure(points);
+  }
 }

@@ -225,9 +225,9 @@ int run_flow(const Options& options, const Context& context) {
   } else {
     FlowOfSpace flow(triangulation, options, context);
     flow.report(report);
-    write_cells([&] { return flow.grid(); },
-                [&] { return flow.has_surfaces() ? mesh_of_surfaces(flow.mesh()) : Mesh{}; }, options, warnings,
-                context);
+    write_cells({.grid = [&] { return flow.grid(); },
+                 .mesh = [&] { return flow.has_surfaces() ? mesh_of_surfaces(flow.mesh()) : Mesh{}; }},
+                options, warnings, context);
   }
   const std::string text = as_text(flat(report));
   print_report(std::move(report), text, warnings, options);
