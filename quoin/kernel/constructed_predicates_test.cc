@@ -287,21 +287,21 @@ TEST(ConstructedPredicates, FamiliesOfEveryClassAgreeWithRationals) {
     SCOPED_TRACE("spread " + std::to_string(spread));
     Model m(testing::floating(random, 12, 40, spread));
     testing::construct(m, random, 10);
-    ASSERT_NO_FATAL_FAILURE(check_random_calls(m, random, 150));
+    ASSERT_NO_FATAL_FAILURE(check_random_calls(m, random, test_rounds(150)));
   }
   for (const int b : {29, 30, 31, 60, 61, 62, 123, 124, 125}) {
     Random random(static_cast<std::uint64_t>(7100 + b));
     SCOPED_TRACE("b " + std::to_string(b));
     Model m(testing::at_limits(random, 12, b));
     testing::construct(m, random, 10);
-    ASSERT_NO_FATAL_FAILURE(check_random_calls(m, random, 150));
+    ASSERT_NO_FATAL_FAILURE(check_random_calls(m, random, test_rounds(150)));
   }
   for (const double most : {1e300, 0x1.fffffffffffffp1023}) {
     Random random(7200);
     Model m(std::vector<Point3>{
         {1e-300, 0, 0}, {most, 0, 1e-300}, {0, 1, most}, {1, most, 5e-324}, {0, 0, 1}, {most, 1, -most}});
     testing::construct(m, random, 10);
-    ASSERT_NO_FATAL_FAILURE(check_random_calls(m, random, 150));
+    ASSERT_NO_FATAL_FAILURE(check_random_calls(m, random, test_rounds(150)));
   }
 }
 

@@ -123,7 +123,7 @@ TEST(Predicates3, FiltersDecideRightlyAtTheEndsOfTheirRanges) {
   Random random(22);
   for (const int exponent : {-1070, -350, -30, -16, -14, -400, -380, -250, -215, -130, -110,
                              135,   139,  140, 141, 338, 339,  340,  341,  350,  680,  1022}) {
-    for (int i = 0; i < 300; ++i) {
+    for (int i = 0; i < test_rounds(300); ++i) {
       Quintuple p;
       for (Point3& point : p) {
         for (unsigned axis = 0; axis < 3; ++axis) {

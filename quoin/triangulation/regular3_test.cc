@@ -70,7 +70,7 @@ TEST(Regular3, LiftedPointsAreAboveAllCells) {
                                                    [](Random& r) { return testing::unit(r) / 4; },
                                                    [](Random& r) { return testing::any_finite(r); },
                                                    [](Random& r) { return testing::small_integer(r, 2) * 0x1p-1074; }};
-  for (const Cloud& cloud : testing::clouds(random, 9)) {
+  for (const Cloud& cloud : testing::clouds(random, tests_take_fewer_rounds ? 7 : 9)) {
     SCOPED_TRACE(cloud.name);
     if (cloud.points.size() > 24) continue;  // the definition is slow
     for (const auto& weight : weights) {
