@@ -94,15 +94,16 @@ class PlaneCells : public NearestCells {
 
 class SpaceCells : public NearestCells {
  public:
-  SpaceCells(const PointFile& file, bool is_listed, const Context& context)
+  SpaceCells(const PointFile& file, bool is_written, const Context& context)
       : delaunay_(file.points, context),
         labels_(delone_labels(delaunay_, context)),
         counts_(count_faces(delaunay_, labels_, context)),
         corners_(labels_.cell_count) {
     if (delaunay_.dimension() < 3) return;
     voronoi_.emplace(delaunay_);
+    if (!is_written) return;
     context.progress("corners", 0);
-    if (is_listed) voronoi_->keep_corners(context);
+    voronoi_->keep_corners(context);
   }
 
   /// A face of the Delone complex stands for one of the diagram, of 3 less as many dimensions.
@@ -115,7 +116,7 @@ class SpaceCells : public NearestCells {
   std::size_t site_count() const override { return delaunay_.vertex_count(); }
   std::span<const std::uint32_t> inputs(std::uint32_t site) const override { return delaunay_.inputs(site); }
   bool is_bounded(std::uint32_t site) const override { return voronoi_ && !voronoi_->is_unbounded(site); }
-  Rational size(std::uint32_t site) const override { return voronoi_->volume(site, facets(site)); }
+  Rational size(std::uint32_t site) const override { return *voronoi_->volume(site); }
   std::vector<std::array<std::uint32_t, 2>> neighbours(const Context& context) const override {
     const DeloneComplex complex(delaunay_, context);
     return {complex.edges().begin(), complex.edges().end()};
@@ -174,16 +175,17 @@ class SpaceCells : public NearestCells {
 
 }  // namespace
 
-std::unique_ptr<NearestCells> nearest_cells(const PointFile& file, bool of_plane, bool is_listed,
+std::unique_ptr<NearestCells> nearest_cells(const PointFile& file, bool of_plane, bool is_written,
                                             const Context& context) {
   if (of_plane) return std::make_unique<PlaneCells>(file, context);
-  return std::make_unique<SpaceCells>(file, is_listed, context);
+  return std::make_unique<SpaceCells>(file, is_written, context);
 }
 
-std::uint64_t memory_of_nearest_cells(std::size_t points, bool of_plane, bool is_listed) {
+std::uint64_t memory_of_nearest_cells(std::size_t points, bool of_plane, bool is_listed, bool is_written) {
   // Measured at a million points, what the file says of them included.
   std::uint64_t per_point = of_plane ? 290 : 400;
-  if (is_listed) per_point += of_plane ? 2500 : 10'000;
+  if (is_listed) per_point += of_plane ? 2500 : 7500;
+  if (is_written) per_point += of_plane ? 700 : 6000;
   return points * per_point;
 }
 

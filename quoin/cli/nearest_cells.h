@@ -32,7 +32,7 @@ class NearestCells {
   /// Numbers of the points at a site, ascending.
   virtual std::span<const std::uint32_t> inputs(std::uint32_t site) const = 0;
   virtual bool is_bounded(std::uint32_t site) const = 0;
-  /// Volume or area of a bounded cell, exact.
+  /// Volume or area of a bounded cell, exact. May be asked by several threads.
   virtual Rational size(std::uint32_t site) const = 0;
   /// Pairs of sites whose cells share a facet, of the plane an edge.
   virtual std::vector<std::array<std::uint32_t, 2>> neighbours(const Context& context) const = 0;
@@ -43,11 +43,11 @@ class NearestCells {
   virtual Mesh mesh(const Context& context) = 0;
 };
 
-/// Of the plane if `of_plane`; prepared for questions about all cells if `is_listed`. @throws what triangulations throw
-std::unique_ptr<NearestCells> nearest_cells(const PointFile& file, bool of_plane, bool is_listed,
+/// Of the plane if `of_plane`; prepared for the corners of all cells if `is_written`. @throws what triangulations throw
+std::unique_ptr<NearestCells> nearest_cells(const PointFile& file, bool of_plane, bool is_written,
                                             const Context& context);
 
 /// About the most memory that it takes at a time, in bytes.
-std::uint64_t memory_of_nearest_cells(std::size_t points, bool of_plane, bool is_listed);
+std::uint64_t memory_of_nearest_cells(std::size_t points, bool of_plane, bool is_listed, bool is_written);
 
 }  // namespace quoin::cli

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "quoin/base/parallel.h"
 #include "quoin/cli/cell_outputs.h"
 #include "quoin/cli/commands.h"
 #include "quoin/cli/failure.h"
@@ -21,6 +22,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr std::size_t grain = 64;
 constexpr std::size_t short_number = 60;  // characters of an exact volume that is always told
 
 /// For each site the sites next to it, one after the other.
@@ -70,16 +72,18 @@ Sizes sizes_of(const NearestCells& cells, const Options& options, const Context&
   Sizes sizes;
   sizes.rounded.assign(cells.site_count(), std::numeric_limits<double>::quiet_NaN());
   if (options.cells) sizes.exact.resize(cells.site_count());
-  for (std::uint32_t s = 0; s < cells.site_count(); ++s) {
-    if (s % 64 == 0) context.progress("volumes", static_cast<double>(s) / static_cast<double>(cells.site_count()));
-    context.poll();
-    if (!cells.is_bounded(s)) continue;
-    const Rational size = cells.size(s);
-    sizes.rounded[s] = size.to_double();
-    if (!options.cells) continue;
-    sizes.exact[s] = size.to_string();
-    if (!options.exact && sizes.exact[s].size() > short_number) sizes.exact[s].clear();
-  }
+  context.progress("volumes", 0);
+  for_each_chunk(context, cells.site_count(), grain, [&](const Chunk& chunk) {
+    for (auto s = static_cast<std::uint32_t>(chunk.begin); s < chunk.end; ++s) {
+      context.poll();
+      if (!cells.is_bounded(s)) continue;
+      const Rational size = cells.size(s);
+      sizes.rounded[s] = size.to_double();
+      if (!options.cells) continue;
+      sizes.exact[s] = size.to_string();
+      if (!options.exact && sizes.exact[s].size() > short_number) sizes.exact[s].clear();
+    }
+  });
   return sizes;
 }
 
@@ -142,10 +146,11 @@ int run_voronoi(const Options& options, const Context& context) {
   std::vector<std::string> warnings;
   const PointFile file = read_point_input(options, warnings, context);
   const bool of_plane = is_of_plane(file, options);
-  const bool is_listed = options.cells || !options.outputs.empty();
-  announce_memory(memory_of_nearest_cells(file.points.size(), of_plane, is_listed), file.points.size(), options);
-  const std::unique_ptr<NearestCells> cells = nearest_cells(file, of_plane, is_listed, context);
-  const Sizes sizes = is_listed ? sizes_of(*cells, options, context) : Sizes();
+  const bool is_written = !options.outputs.empty();
+  announce_memory(memory_of_nearest_cells(file.points.size(), of_plane, options.cells, is_written), file.points.size(),
+                  options);
+  const std::unique_ptr<NearestCells> cells = nearest_cells(file, of_plane, is_written, context);
+  const Sizes sizes = options.cells || is_written ? sizes_of(*cells, options, context) : Sizes();
   std::size_t bounded = 0;
   for (std::uint32_t s = 0; s < cells->site_count(); ++s) bounded += cells->is_bounded(s) ? 1 : 0;
   Json report = describe(file, options);

@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <optional>
 
-#include "quoin/kernel/call_grid.h"
 #include "quoin/number/bounded_int.h"
+#include "quoin/triangulation/grid_integers.h"
 #include "quoin/triangulation/smallest_spheres.h"
 #include "quoin/triangulation/sphere_formulas.h"
 
@@ -34,14 +34,6 @@ bool to_integers(const Point3& p, double scale, std::array<std::int64_t, 3>& out
   return true;
 }
 
-/// x / 2^lo, an integer.
-Integer on_grid(double x, int lo) {
-  const detail::Parts parts = detail::parts_of(x);
-  const int shift = parts.exponent - lo;
-  if (shift < 0) return Integer(parts.mantissa >> std::min(-shift, 63));  // the bits that go are zero
-  return Integer(parts.mantissa) << static_cast<std::size_t>(shift);
-}
-
 /// A simplex by rows from its first point, in units of a power of two.
 struct IntegerSimplex {
   std::array<IntegerRow, 3> rows;
@@ -59,13 +51,13 @@ struct IntegerSimplex {
     lo = detail::CallGrid(values).lo;
     const detail::CallGrid grid_of_weights(weights);
     if (grid_of_weights.bits > 0) lo = std::min(lo, grid_of_weights.lo >> 1);
-    weight = on_grid(weights[0], 2 * lo);
+    weight = detail::on_grid(weights[0], 2 * lo);
     for (std::size_t i = 1; i < simplex.size(); ++i) {
       IntegerRow& row = rows[i - 1];
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        row.vector[axis] = on_grid(values[3 * i + axis], lo) - on_grid(values[axis], lo);
+        row.vector[axis] = detail::on_grid(values[3 * i + axis], lo) - detail::on_grid(values[axis], lo);
       }
-      row.lift = sphere_formulas::dot(row.vector, row.vector) + weight - on_grid(weights[i], 2 * lo);
+      row.lift = sphere_formulas::dot(row.vector, row.vector) + weight - detail::on_grid(weights[i], 2 * lo);
     }
   }
 };

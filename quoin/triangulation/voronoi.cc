@@ -6,6 +6,7 @@
 
 #include "quoin/base/error.h"
 #include "quoin/kernel/predicates3.h"
+#include "quoin/triangulation/voronoi_volume.h"
 
 namespace quoin {
 
@@ -102,7 +103,7 @@ std::vector<VoronoiFacet> Voronoi3::facets(std::uint32_t vertex) const {
 
 std::optional<Rational> Voronoi3::volume(std::uint32_t vertex) const {
   if (is_unbounded(vertex)) return std::nullopt;
-  return volume(vertex, facets(vertex));
+  return voronoi_volume(triangulation_, vertex, stars_.star(vertex));
 }
 
 Rational Voronoi3::volume(std::uint32_t vertex, std::span<const VoronoiFacet> facets) const {

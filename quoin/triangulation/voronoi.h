@@ -44,10 +44,10 @@ class Voronoi3 {
   /// triangulation that is a diagonal of a Delone facet or cell has none.
   std::vector<VoronoiFacet> facets(std::uint32_t vertex) const;
 
-  /// Of the points nearest to the vertex; nothing where that is infinite, for vertices of the hull. Sum of the cones
-  /// from the vertex over its facets, whose areas are those of projections along an axis.
+  /// Of the points nearest to the vertex; nothing where that is infinite, for vertices of the hull.
   std::optional<Rational> volume(std::uint32_t vertex) const;
-  /// The same from the facets of a vertex, all bounded.
+  /// The same from the facets of a vertex, all bounded, in other ways and in several times the time: the sum of the
+  /// cones over them, whose areas are those of projections along an axis.
   Rational volume(std::uint32_t vertex, std::span<const VoronoiFacet> facets) const;
   /// Whether the cell is infinite: that of a vertex of the hull.
   bool is_unbounded(std::uint32_t vertex) const { return stars_.is_on_hull(vertex); }

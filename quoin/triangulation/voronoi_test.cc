@@ -138,9 +138,24 @@ TEST(Voronoi3, VolumesOfAllCellsFillSpace) {
       const std::optional<Rational> volume = voronoi.volume(v);
       ASSERT_TRUE(volume.has_value());
       EXPECT_GT(*volume, Rational(0));
+      EXPECT_EQ(*volume, voronoi.volume(v, voronoi.facets(v)));
       sum += *volume;
     }
     EXPECT_EQ(sum, Rational(1));
+  }
+}
+
+TEST(Voronoi3, VolumesAreThoseOfTheirFacets) {
+  Random random(24);
+  for (const testing::Cloud& cloud : testing::clouds(random, 24)) {
+    SCOPED_TRACE(cloud.name);
+    const Delaunay3 t = triangulated(cloud.points);
+    if (t.dimension() < 3) continue;
+    const Voronoi3 voronoi(t);
+    for (std::uint32_t v = 0; v < t.vertex_count(); ++v) {
+      if (voronoi.is_unbounded(v)) continue;
+      ASSERT_EQ(*voronoi.volume(v), voronoi.volume(v, voronoi.facets(v)));
+    }
   }
 }
 

@@ -195,7 +195,7 @@ class Formats(CommandTest):
     def test_interruption(self):
         self.write("large.xyz", text_of(cloud(200000, 3)))
         self.write("less.xyz", text_of(cloud(20000, 3)))
-        for words, stage in ((["delaunay", "large.xyz"], b"reading"), (["voronoi", "less.xyz", "--cells"], b"corners")):
+        for words, stage in ((["delaunay", "large.xyz"], b"reading"), (["voronoi", "less.xyz", "--cells"], b"volumes")):
             with subprocess.Popen([self.quoin, *words, "-v"], stderr=subprocess.PIPE, stdout=subprocess.DEVNULL,
                                   cwd=self.folder) as process:
                 while stage not in process.stderr.readline():
