@@ -2,7 +2,6 @@
 #include "quoin/cli/cell_outputs.h"
 
 #include <cmath>
-#include <span>
 
 #include "quoin/base/error.h"
 #include "quoin/cli/reporting.h"
@@ -13,10 +12,26 @@ namespace quoin::cli {
 
 namespace {
 
-void require_finite(std::span<const Point3> points, const std::string& name) {
-  for (const Point3& p : points) {
+void require_finite(const Mesh& mesh) {
+  for (const Point3& p : mesh.vertices) {
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
-      throw InputError(name + ": a corner is beyond the largest double, and no format holds it");
+      throw InputError("a corner is beyond the largest double: meshes cannot hold it");
+  }
+}
+
+void write_one(const Target& target, const CellOutputs& outputs, const Options& options,
+               std::vector<std::string>& warnings, const Context& context) {
+  if (target.kind == Target::Kind::grid) {
+    const VtkGrid made = outputs.grid();
+    const std::string title = "quoin " + options.command + " of " + title_of(options.inputs[0]);
+    write_target(target, [&](std::ostream& out) { write_vtk(out, made, title, context); });
+  } else if (target.kind == Target::Kind::simplices) {
+    write_target(target, outputs.text);
+  } else {
+    const Mesh made = outputs.mesh();
+    require_finite(made);
+    if (made.face_count() == 0) warnings.push_back(target.name + ": there are no faces to write");
+    write_target(target, [&](std::ostream& out) { write_mesh(out, target.format, made, context); });
   }
 }
 
@@ -26,21 +41,11 @@ void write_cells(const CellOutputs& outputs, const Options& options, std::vector
                  const Context& context) {
   for (const Target& target : targets_of(options)) {
     context.progress("writing", 0);
-    if (target.kind == Target::Kind::grid) {
-      const VtkGrid made = outputs.grid();
-      require_finite(made.points, target.name);
-      const std::string title = "quoin " + options.command + " of " + title_of(options.inputs[0]);
-      write_target(target, [&](std::ostream& out) { write_vtk(out, made, title, context); });
-      continue;
+    try {
+      write_one(target, outputs, options, warnings, context);
+    } catch (const InputError& error) {
+      throw InputError(target.name + ": " + error.what());
     }
-    if (target.kind == Target::Kind::simplices) {
-      write_target(target, outputs.text);
-      continue;
-    }
-    const Mesh made = outputs.mesh();
-    require_finite(made.vertices, target.name);
-    if (made.face_count() == 0) warnings.push_back(target.name + ": there are no faces to write");
-    write_target(target, [&](std::ostream& out) { write_mesh(out, target.format, made, context); });
   }
 }
 

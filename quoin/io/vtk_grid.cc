@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <type_traits>
 
 #include "quoin/base/error.h"
 
@@ -81,7 +82,13 @@ class VtkWriter {
   template <class Number>
   void write_scalars(const std::string& name, const char* type, const std::vector<Number>& values) {
     text("SCALARS ").text(name).text(" ").text(type).text(" 1\nLOOKUP_TABLE default\n");
-    for (const Number value : values) number(value).text("\n");
+    for (const Number value : values) {
+      if constexpr (std::is_floating_point_v<Number>) {
+        if (!std::isfinite(value))
+          throw InputError("a number '" + name + "' is beyond the largest double: VTK cannot hold it");
+      }
+      number(value).text("\n");
+    }
   }
 
   void write_colors(const std::vector<Color>& colors) {

@@ -50,7 +50,7 @@ struct VtkGrid {
 
 /// Writes VTK's legacy format, version 3.0, text; coordinates are the shortest decimals that read back to the same
 /// doubles. O(size).
-/// @throws InputError  a point is not finite; Cancelled
+/// @throws InputError  a point, or a number of a point or cell, is not finite; Cancelled
 void write_vtk(std::ostream& out, const VtkGrid& grid, const std::string& title, const Context& context);
 
 }  // namespace quoin

@@ -44,9 +44,14 @@ TEST(VtkGrid, TextOfTheFormat) {
   EXPECT_NE(text.find("CELL_DATA 2\nSCALARS volume double 1\nLOOKUP_TABLE default\n0.5\n0\n"), std::string::npos);
 }
 
-TEST(VtkGrid, RefusesPointsThatAreNotFiniteAndIsCancelled) {
+TEST(VtkGrid, RefusesWhatIsNotFiniteAndIsCancelled) {
   VtkGrid grid = sample();
   grid.points[1].y = std::numeric_limits<double>::infinity();
+  EXPECT_THROW(written(grid, "a"), InputError);
+  grid.points[1].y = 0;
+  grid.cell_doubles.emplace_back("size", std::vector<double>(grid.types.size(), 1));
+  EXPECT_NO_THROW(written(grid, "a"));
+  grid.cell_doubles.back().second[0] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(written(grid, "a"), InputError);
   Context cancelled;
   cancelled.cancel();

@@ -135,6 +135,7 @@ class Values(CommandTest):
         huge = text_of([tuple(c * 1e300 for c in p) for p in CUBE])
         self.assertEqual(self.json_of("alpha", "-", "--values", stdin=huge)["values"], [0, None, None, None])
         self.assertIn("--exact", self.run_quoin("alpha", "-", "-o", "-", "--format", "txt", stdin=huge, code=REFUSED).stderr)
+        self.assertIn("h.vtk: a number 'value'", self.run_quoin("alpha", "-", "-o", "h.vtk", stdin=huge, code=REFUSED).stderr)
         self.run_quoin("alpha", "-", "--exact", "-o", "h.txt", stdin=huge)
         self.assertEqual(self.json_of("persistence", "h.txt")["essential"], [1, 0, 0, 0])
 
