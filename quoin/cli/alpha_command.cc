@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,8 +15,10 @@
 #include "quoin/cli/failure.h"
 #include "quoin/cli/inputs.h"
 #include "quoin/cli/memory.h"
+#include "quoin/cli/persistence_diagram.h"
 #include "quoin/cli/planar.h"
 #include "quoin/cli/point_input.h"
+#include "quoin/cli/primes.h"
 #include "quoin/cli/summary.h"
 #include "quoin/cli/targets.h"
 #include "quoin/cli/triangulated_points.h"
@@ -25,6 +29,7 @@ namespace quoin::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
+constexpr double largest = std::numeric_limits<double>::max();
 
 /// The value that the command line tells; nothing where it tells none.
 std::optional<Rational> value_of(const Options& options) {
@@ -38,10 +43,15 @@ std::optional<Rational> value_of(const Options& options) {
 }
 
 void require_sense(const Options& options) {
+  const bool has_value = !options.value.empty() || !options.radius.empty() || options.pieces;
+  if (options.persistence && (has_value || !options.graph.empty()))
+    throw UsageError("--persistence is of all values: it goes without --value, --radius, --pieces and --graph");
+  if (options.persistence) prime_of(options);
+  if (!options.persistence && (options.barcode || !options.primes.empty()))
+    throw UsageError("--prime and --barcode go with --persistence");
   if (!options.graph.empty()) {
     if (options.weighted) throw UsageError("--graph is of points without weights");
-    if (!options.value.empty() || !options.radius.empty() || options.pieces)
-      throw UsageError("--graph is of all points: it goes without --value, --radius and --pieces");
+    if (has_value) throw UsageError("--graph is of all points: it goes without --value, --radius and --pieces");
   }
   for (const Target& target : targets_of(options)) {
     if (!options.graph.empty() && target.kind == Target::Kind::mesh)
@@ -159,6 +169,19 @@ void run_shape(const AlphaPoints& points, const PointFile& file, const std::opti
       options, warnings, context);
 }
 
+PersistenceDiagram run_persistence_of(const AlphaComplex& alpha, Json& report, const Options& options,
+                                      const Context& context) {
+  context.progress("persistence", 0);
+  const PersistenceOptions how{.prime = prime_of(options)};
+  const GradeValues values{[&](std::uint32_t grade) { return std::clamp(alpha.value(grade), -largest, largest); },
+                           [&](std::uint32_t grade) { return alpha.exact_value(grade).to_string(); }, options.exact};
+  PersistenceDiagram diagram(alpha.filtration(), values, persistence(alpha.filtration(), how, context));
+  diagram.write(options);
+  report["prime"] = how.prime;
+  diagram.add_to(report, options.json);
+  return diagram;
+}
+
 /// Nested keys as lines of their own.
 std::string text_of(const Json& report) {
   Json flat;
@@ -200,14 +223,19 @@ int run_alpha(const Options& options, const Context& context) {
   for (int k = 0; k <= points.alpha.dimension(); ++k) counts.push_back(points.alpha.complex().count(k));
   report["simplices"] = counts;
   report["critical_values"] = points.alpha.grade_count();
-  if (options.graph.empty()) {
+  std::string intervals;
+  if (options.persistence) {
+    const PersistenceDiagram diagram = run_persistence_of(points.alpha, report, options, context);
+    if (!options.json && !options.quiet) intervals = diagram.text(options.verbose);
+  } else if (options.graph.empty()) {
     run_shape(points, file, value, report, warnings, options, context);
   } else {
     run_graph(points, file, report, warnings, options, context);
   }
   if (options.values) add_values(report, points.alpha, options, context);
   std::string text;
-  if (!options.json && !options.quiet) text = text_of(report) + (options.values ? text_of_values(report) : "");
+  if (!options.json && !options.quiet)
+    text = text_of(report) + intervals + (options.values ? text_of_values(report) : "");
   print_report(std::move(report), text, warnings, options);
   return 0;
 }

@@ -197,6 +197,11 @@ void add_alpha(CLI::App& app, Options& options) {
                    "the least complex with no more pieces of full dimension, all points at them")
       ->check(CLI::Range(std::size_t{1}, std::size_t{0xFFFFFFFF}));
   alpha->add_flag("--values", options.values, "all critical values");
+  alpha->add_flag("--persistence", options.persistence,
+                  "when components, tunnels and voids come and go, instead of a complex; svg draws it");
+  add_repeatable(*alpha, "--prime", options.primes,
+                 "of --persistence: over a field of this many elements (default: 2)");
+  alpha->add_flag("--barcode", options.barcode, "of --persistence: draw bars instead of points");
   alpha->add_flag("--exact", options.exact, "values as fractions, in the report and in txt");
   alpha
       ->add_option("--graph", options.graph,

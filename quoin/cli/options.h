@@ -22,7 +22,7 @@ struct Options {
   std::vector<std::string> points;   ///< of `classify`: "x,y,z"
   std::vector<std::string> lines;    ///< of `classify`: "x,y,z,dx,dy,dz"
   std::string points_file;           ///< of `classify`: a point per line, "-" for standard input
-  std::vector<std::string> primes;   ///< of `homology` and `persistence`: numbers of elements of fields
+  std::vector<std::string> primes;   ///< of `homology`, `persistence`, `alpha`: numbers of elements of fields
   std::string translation;           ///< of `distance`: "x,y,z"
   std::string direction;             ///< of `distance`: "x,y,z"
   std::string path;                  ///< of `distance`: a place per line, "-" for standard input
@@ -40,7 +40,8 @@ struct Options {
   bool reflect = false;           ///< of `polygon minkowski`: the second set turned by half a turn
   bool labels = false;            ///< numbers in pictures
   bool sphere = false;            ///< of `arrange`: curves on the sphere
-  bool barcode = false;           ///< of `persistence`: bars instead of points
+  bool barcode = false;           ///< of `persistence` and `alpha`: bars instead of points
+  bool persistence = false;       ///< of `alpha`: when classes of homology come and go
   bool cube = false;              ///< of `gaussian-map`: on the surface of a cube
   bool upper = false;             ///< of `envelope`
   std::vector<std::string> directions;  ///< of `assembly`: "x,y,z"

@@ -20,4 +20,10 @@ std::vector<std::uint32_t> primes_of(const Options& options) {
   return primes;
 }
 
+std::uint32_t prime_of(const Options& options) {
+  const std::vector<std::uint32_t> primes = primes_of(options);
+  if (primes.size() > 1) throw UsageError("--prime is given twice; persistence is over one field");
+  return primes.empty() ? 2 : primes[0];
+}
+
 }  // namespace quoin::cli

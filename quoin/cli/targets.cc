@@ -96,6 +96,11 @@ Target target_of(const std::string& name, const Options& options) {
     if (name != standard_stream) return plan_target(name, ending_of(name));
     return plan_target(name, in_small_letters("." + (options.format.empty() ? "json" : options.format)));
   }
+  if (options.persistence) {
+    if (!options.format.empty() && in_small_letters(options.format) != "svg")
+      throw UsageError("--format '" + options.format + "': diagrams and barcodes are written as .svg");
+    return diagram_target(name);
+  }
   if (options.command == "delaunay" || options.command == "voronoi" || options.command == "alpha" ||
       options.command == "flow") {
     const bool has_text = options.command == "alpha";

@@ -64,7 +64,7 @@ hull minkowski erode decompose gaussian-map distance width homology persistence 
       delaunay) options+=" -o --output --format --input-format --plane --memory --weighted --check" ;;
       voronoi) options+=" -o --output --format --input-format --plane --memory --cells --exact" ;;
       alpha)
-        options+=" -o --output --format --input-format --plane --memory --weighted --value --radius --pieces --values --exact --graph"
+        options+=" -o --output --format --input-format --plane --memory --weighted --value --radius --pieces --values --exact --graph --persistence --prime --barcode"
         ;;
       flow) options+=" -o --output --format --input-format --plane --memory --stable --unstable --shape --simplify --reconstruct --ratio" ;;
       assembly)

@@ -158,6 +158,31 @@ class Weights(CommandTest):
         self.assertEqual(report["values"], [-4, -1.75, 0, 2.25])
 
 
+class Persistence(CommandTest):
+    def test_is_that_of_the_filtration(self):
+        for points, words in ((cloud(40, 3, seed=8, grid=5), []), (cloud(60, 2, seed=9), []),
+                              (cloud(30, 3, seed=7, grid=6), ["--prime", "3"])):
+            self.run_quoin("alpha", "-", "--exact", "-o", "f.txt", stdin=text_of(points))
+            expected = self.json_of("persistence", "f.txt", *words)
+            found = self.json_of("alpha", "-", "--persistence", "--exact", *words, stdin=text_of(points))
+            for key in ("prime", "pairs", "essential", "intervals"):
+                self.assertEqual(found[key], expected[key], key)
+            self.assertNotIn("shape", found)
+            self.assertEqual([[None if e is None else float(Fraction(e)) for e in i] for i in found["exact_intervals"][0]],
+                             found["intervals"][0])
+
+    def test_drawings_and_text(self):
+        self.write("c.xyz", text_of(CUBE))
+        done = self.run_quoin("alpha", "c.xyz", "--persistence", "-o", "d.svg")
+        self.assertIn("degree 1: 5 intervals\n  0.25 to 0.5\n", done.stdout)
+        self.assertIn(b">birth<", self.read("d.svg"))
+        self.run_quoin("alpha", "c.xyz", "--persistence", "--barcode", "-o", "b.svg")
+        self.assertIn(b'class="bar d2"', self.read("b.svg"))
+        text = self.run_quoin("alpha", "c.xyz", "--persistence", "--exact").stdout
+        self.assertIn("degree 2: 1 intervals\n  1/2 to 3/4\n", text)
+        self.assertEqual(self.run_quoin("alpha", "c.xyz", "--persistence", "-o", "-").stdout.encode(), self.read("d.svg"))
+
+
 class Outputs(CommandTest):
     def two_cubes(self):
         return CUBE + [(20 + 2 * x, 2 * y, 2 * z) for x, y, z in CUBE]
@@ -249,7 +274,9 @@ class Mistakes(CommandTest):
                       ["--radius", "inf"], ["--pieces", "0"], ["--pieces", "-1"], ["--pieces", "1.5"], ["--graph", "delaunay"],
                       ["--graph", "gabriel", "--weighted"], ["--graph", "gabriel", "--value", "1"],
                       ["--graph", "gabriel", "-o", "x.off"], ["-o", "x.stl"], ["-o", "x.html"], ["-o", "-", "--format", "stl"],
-                      ["--memory", "0"], ["--input-format", "las"], ["--format", "vtk"]):
+                      ["--persistence", "--value", "1"], ["--persistence", "--graph", "gabriel"], ["--prime", "2"],
+                      ["--barcode"], ["--persistence", "--prime", "4"], ["--persistence", "-o", "x.txt"],
+                      ["--persistence", "-o", "-", "--format", "vtk"], ["-o", "x.svg"], ["--memory", "0"], ["--input-format", "las"], ["--format", "vtk"]):
             self.run_quoin("alpha", "missing.xyz", *words, code=USAGE)
         self.run_quoin("alpha", "missing.xyz", code=FILE_TROUBLE)
 

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quoin/cli/persistence_diagram.h"
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+#include "quoin/cli/reporting.h"
+#include "quoin/cli/target_writing.h"
+#include "quoin/cli/targets.h"
+
+namespace quoin::cli {
+
+using Json = nlohmann::ordered_json;
+
+PersistenceDiagram::PersistenceDiagram(const Filtration& filtration, GradeValues values,
+                                       std::span<const PersistencePair> pairs)
+    : values_(std::move(values)), degrees_(static_cast<std::size_t>(filtration.complex.dimension() + 1)) {
+  for (const PersistencePair& pair : pairs) {
+    const auto k = static_cast<std::size_t>(pair.degree);
+    Interval interval{filtration.grade[k][pair.birth], PersistencePair::never, 0,
+                      std::numeric_limits<double>::infinity()};
+    interval.from = values_.rounded(interval.birth);
+    if (pair.death != PersistencePair::never) {
+      interval.death = filtration.grade[k + 1][pair.death];
+      interval.to = values_.rounded(interval.death);
+    }
+    degrees_[k].push_back(interval);
+  }
+  for (std::vector<Interval>& list : degrees_) {
+    std::sort(list.begin(), list.end(), [](const Interval& a, const Interval& b) {
+      return std::tie(a.birth, a.death) < std::tie(b.birth, b.death);
+    });
+  }
+}
+
+void PersistenceDiagram::add_to(Json& report, bool lists_all) const {
+  Json pairs = Json::array();
+  Json essential = Json::array();
+  for (const std::vector<Interval>& list : degrees_) {
+    pairs.push_back(list.size());
+    essential.push_back(
+        std::count_if(list.begin(), list.end(), [](const Interval& i) { return i.death == PersistencePair::never; }));
+  }
+  report["pairs"] = std::move(pairs);
+  report["essential"] = std::move(essential);
+  if (!lists_all) return;
+  report["intervals"] = lists([](std::uint32_t, double rounded) { return Json(rounded); });
+  if (!values_.tells_exact) return;
+  report["exact_intervals"] = lists([&](std::uint32_t grade, double) { return Json(values_.exact(grade)); });
+}
+
+template <class Show>
+Json PersistenceDiagram::lists(const Show& show) const {
+  Json json = Json::array();
+  for (const std::vector<Interval>& list : degrees_) {
+    Json of_degree = Json::array();
+    for (const Interval& i : list) {
+      of_degree.push_back({show(i.birth, i.from), i.death == PersistencePair::never ? Json() : show(i.death, i.to)});
+    }
+    json.push_back(std::move(of_degree));
+  }
+  return json;
+}
+
+std::string PersistenceDiagram::shown(std::uint32_t grade, double rounded) const {
+  if (grade == PersistencePair::never) return "infinity";
+  return values_.tells_exact ? values_.exact(grade) : Json(rounded).dump();
+}
+
+std::string PersistenceDiagram::text(bool all) const {
+  constexpr std::size_t shown_intervals = 10;
+  const auto half_length = [](const Interval& i) { return i.to / 2 - i.from / 2; };
+  std::string result;
+  for (std::size_t k = 0; k < degrees_.size(); ++k) {
+    std::vector<Interval> list = degrees_[k];
+    if (!all) {
+      std::stable_sort(list.begin(), list.end(),
+                       [&](const Interval& a, const Interval& b) { return half_length(a) > half_length(b); });
+      list.resize(std::min(list.size(), shown_intervals));
+    }
+    result += "degree " + std::to_string(k) + ": " + std::to_string(degrees_[k].size()) + " intervals" +
+              (list.size() < degrees_[k].size() ? ", the longest:\n" : "\n");
+    for (const Interval& i : list) result += "  " + shown(i.birth, i.from) + " to " + shown(i.death, i.to) + "\n";
+  }
+  return result;
+}
+
+std::vector<PersistenceInterval> PersistenceDiagram::drawn() const {
+  std::vector<PersistenceInterval> result;
+  for (std::size_t k = 0; k < degrees_.size(); ++k) {
+    for (const Interval& i : degrees_[k]) result.push_back({static_cast<int>(k), i.from, i.to});
+  }
+  return result;
+}
+
+void PersistenceDiagram::write(const Options& options) const {
+  const std::string title = title_of(options.inputs[0]);
+  for (const Target& target : targets_of(options)) {
+    write_target(target, [&](std::ostream& out) {
+      options.barcode ? write_barcode(out, drawn(), title) : write_persistence_diagram(out, drawn(), title);
+    });
+  }
+}
+
+}  // namespace quoin::cli
