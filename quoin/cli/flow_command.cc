@@ -226,7 +226,8 @@ int run_flow(const Options& options, const Context& context) {
     FlowOfSpace flow(triangulation, options, context);
     flow.report(report);
     write_cells({.grid = [&] { return flow.grid(); },
-                 .mesh = [&] { return flow.has_surfaces() ? mesh_of_surfaces(flow.mesh()) : Mesh{}; }},
+                 .mesh = [&] { return flow.has_surfaces() ? mesh_of_surfaces(flow.mesh()) : Mesh{}; },
+                 .text = {}},
                 options, warnings, context);
   }
   const std::string text = as_text(flat(report));

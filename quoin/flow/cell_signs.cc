@@ -46,6 +46,9 @@ struct Sphere {
   V a;
   V b;
   V c;
+  double aa;
+  double bb;
+  double cc;
   V bc;
   V ca;
   V ab;
@@ -57,10 +60,13 @@ struct Sphere {
       : a(minus(*p[1], *p[0])),
         b(minus(*p[2], *p[0])),
         c(minus(*p[3], *p[0])),
+        aa(dot(a, a)),
+        bb(dot(b, b)),
+        cc(dot(c, c)),
         bc(cross(b, c)),
         ca(cross(c, a)),
         ab(cross(a, b)),
-        n(bc * dot(a, a) + ca * dot(b, b) + ab * dot(c, c)),
+        n(bc * aa + ca * bb + ab * cc),
         d(dot(a, bc)),
         m(std::max({largest(a), largest(b), largest(c)})) {}
 };
@@ -125,10 +131,11 @@ CellSigns::CellSigns(const Delaunay3& triangulation)
 
 // The angle at the corner opposite to the longest side is acute if the squares of the other two are more than its own.
 // Each square has an error of 5 u of itself, and both sums round: at most 8 u of the sum of all.
-void CellSigns::set_corners(const Corners& p, CellShape& shape) const {
+void CellSigns::set_corners(const Corners& p, const std::array<double, 3>& from_first, CellShape& shape) const {
   std::array<std::array<double, 4>, 4> length{};
-  for (unsigned i = 0; i < 4; ++i) {
-    for (unsigned j = 0; j < i; ++j) length[i][j] = length[j][i] = square(*p[i], *p[j]);
+  for (unsigned i = 1; i < 4; ++i) {
+    length[i][0] = length[0][i] = from_first[i - 1];
+    for (unsigned j = 1; j < i; ++j) length[i][j] = length[j][i] = square(*p[i], *p[j]);
   }
   const double error = are_squares_exact_ ? 0 : 1e-15;
   const double slack = are_squares_exact_ ? 0 : 0x1p-1000;
@@ -195,8 +202,8 @@ CellShape CellSigns::shape(std::uint32_t cell, unsigned tested, unsigned& sphere
   Corners p{};
   for (unsigned i = 0; i < 4; ++i) p[i] = &points_[t.vertices[i]];
   CellShape shape;
-  set_corners(p, shape);
   const Sphere sphere(p);
+  set_corners(p, {sphere.aa, sphere.bb, sphere.cc}, shape);
   const bool is_in_range = sphere.m >= least_extent && sphere.m <= most_extent;
   const double m3 = sphere.m * sphere.m * sphere.m;
   const double one = dot(sphere.n, sphere.bc);

@@ -48,7 +48,8 @@ class CellSigns {
 
  private:
   using Corners = std::array<const Point3*, 4>;
-  void set_corners(const Corners& p, CellShape& shape) const;
+  /// Given the squared distances of the other corners from the first.
+  void set_corners(const Corners& p, const std::array<double, 3>& from_first, CellShape& shape) const;
   unsigned close_corner(const Corners& p, unsigned facet, unsigned widest, bool& is_right) const;
   bool is_on_grid(double m) const { return m <= largest_exact_; }
   Sign exact_centre_sign(const Corners& p, unsigned facet, double m);

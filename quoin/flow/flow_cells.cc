@@ -31,8 +31,7 @@ FlowCells::FlowCells(const Delaunay3& triangulation, const Context& context)
   counts_[0] = triangulation.vertex_count();
   find_shapes(context);
   find_critical_edges(context);
-  find_ways(context);
-  find_saddles(context);
+  find_in_clusters(context);
 }
 
 void FlowCells::find_shapes(const Context& context) {
@@ -61,12 +60,28 @@ void FlowCells::find_shapes(const Context& context) {
       rows_[other.cell].bits = static_cast<std::uint8_t>(rows_[other.cell].bits | 1U << other.slot);
     }
     rows_[c].edges = static_cast<std::uint8_t>(edges);
+    find_simple_saddles(c);
   }
   undecided_ = signs.undecided();
 }
 
-// Critical if no corner opposite to it, all around, is right or obtuse. Each ring is walked once: `way` says for the
-// time being of which edges the answer is known.
+/// Among the facets of a simplex and those before it, or on the hull: all is known of both.
+void FlowCells::find_simple_saddles(std::uint32_t cell) {
+  const Row row = rows_[cell];
+  for (unsigned i = 0; i < 4; ++i) {
+    if (row.shape.centre_sign(i) != Sign::positive || !row.shape.is_acute(i)) continue;
+    const CellFacet other = mate({cell, i});
+    const bool is_hull = is_ghost(other.cell);
+    if ((!is_hull && other.cell > cell) || !is_triangle({cell, i})) continue;
+    if (!is_hull && rows_[other.cell].shape.centre_sign(other.slot) != Sign::positive) continue;
+    const CellFacet first = is_hull ? CellFacet{cell, i} : other;
+    rows_[first.cell].bits = static_cast<std::uint8_t>(rows_[first.cell].bits | 16U << first.slot);
+    ++counts_[2];
+  }
+}
+
+// Critical if no corner opposite to it, all around, is right or obtuse. Each ring is walked once: for the time being
+// `way` says of which edges of simplices whose turn is still to come the answer is known.
 void FlowCells::find_critical_edges(const Context& context) {
   std::vector<std::pair<std::uint32_t, std::uint8_t>> ring;
   for (std::uint32_t c = 0; c < cells_.size(); ++c) {
@@ -86,11 +101,13 @@ void FlowCells::find_critical_edges(const Context& context) {
       } while (is_critical && at.cell != c);
       for (const auto& [cell, bit] : ring) {
         Row& row = rows_[cell];
-        row.way = static_cast<std::uint8_t>(row.way | bit);
+        if (cell > c) row.way = static_cast<std::uint8_t>(row.way | bit);
         if (!is_critical) row.edges = static_cast<std::uint8_t>(row.edges & ~bit);
       }
       counts_[1] += is_critical ? 1 : 0;
     }
+    rows_[c].way = inner(c) == 0 ? simple_way(rows_[c].shape) : is_unknown;
+    counts_[3] += rows_[c].way == is_maximum ? 1 : 0;
   }
 }
 
@@ -101,32 +118,22 @@ bool FlowCells::is_first_at_edge(std::uint32_t cell, unsigned edge) const {
   return at.cell == cell;
 }
 
-void FlowCells::find_saddles(const Context& context) {
-  for (std::uint32_t c = 0; c < cells_.size(); ++c) {
-    if (c % 1024 == 0) context.poll();
-    if (is_ghost(c)) continue;
-    const CellShape shape = rows_[c].shape;
-    for (unsigned i = 0; i < 4; ++i) {
-      if (shape.centre_sign(i) != Sign::positive || (inner(c) == 0 && !shape.is_acute(i))) continue;
-      const CellFacet other = mate({c, i});
-      const bool is_hull = is_ghost(other.cell);
-      if (!is_hull && c > other.cell) continue;
-      if (!is_hull && rows_[other.cell].shape.centre_sign(other.slot) != Sign::positive) continue;
-      if (is_triangle({c, i})) {
-        if (!shape.is_acute(i)) continue;
-      } else {
-        if ((inner(c) >> i & 1) != 0) continue;
-        bool is_first = true;
-        for (const CellFacet& part : polygon({c, i})) {
-          const CellFacet back = mate(part);
-          const CellFacet& low = !is_ghost(back.cell) && back.cell < part.cell ? back : part;
-          is_first &= CellFacet{c, i}.number() <= low.number();
-        }
-        if (!is_first || !is_critical_polygon({c, i})) continue;
-      }
-      rows_[c].bits = static_cast<std::uint8_t>(rows_[c].bits | 16U << i);
-      ++counts_[2];
+/// Facets of a simplex in a larger Delone cell, where they are or may be parts of larger polygons.
+void FlowCells::find_polygon_saddles(std::uint32_t cell) {
+  for (unsigned i = 0; i < 4; ++i) {
+    const CellFacet facet{cell, i};
+    if ((inner(cell) >> i & 1) != 0 || shape(cell).centre_sign(i) != Sign::positive) continue;
+    const CellFacet other = mate(facet);
+    if (is_triangle(facet) || (!is_ghost(other.cell) && cell > other.cell)) continue;
+    bool is_first = true;
+    for (const CellFacet& part : polygon(facet)) {
+      const CellFacet back = mate(part);
+      const CellFacet& low = !is_ghost(back.cell) && back.cell < part.cell ? back : part;
+      is_first &= facet.number() <= low.number();
     }
+    if (!is_first || !is_critical_polygon(facet)) continue;
+    rows_[cell].bits = static_cast<std::uint8_t>(rows_[cell].bits | 16U << i);
+    ++counts_[2];
   }
 }
 
@@ -145,17 +152,12 @@ std::uint8_t FlowCells::simple_way(const CellShape& shape) const {
   return is_regular;
 }
 
-void FlowCells::find_ways(const Context& context) {
-  for (Row& row : rows_) row.way = is_unknown;
+void FlowCells::find_in_clusters(const Context& context) {
   for (std::uint32_t c = 0; c < cells_.size(); ++c) {
     if (c % 1024 == 0) context.poll();
-    if (is_ghost(c) || rows_[c].way != is_unknown) continue;
-    if (inner(c) == 0) {
-      rows_[c].way = simple_way(rows_[c].shape);
-      counts_[3] += rows_[c].way == is_maximum ? 1 : 0;
-    } else {
-      find_cluster_way(c);
-    }
+    if (inner(c) == 0) continue;
+    if (rows_[c].way == is_unknown) find_cluster_way(c);
+    find_polygon_saddles(c);
   }
   std::sort(members_.begin(), members_.end(), [](const Member& a, const Member& b) { return a.cell < b.cell; });
 }

@@ -137,8 +137,9 @@ class FlowCells {
 
   void find_shapes(const Context& context);
   void find_critical_edges(const Context& context);
-  void find_saddles(const Context& context);
-  void find_ways(const Context& context);
+  void find_simple_saddles(std::uint32_t cell);
+  void find_polygon_saddles(std::uint32_t cell);
+  void find_in_clusters(const Context& context);
   void find_cluster_way(std::uint32_t first);
   std::uint8_t simple_way(const CellShape& shape) const;
 
