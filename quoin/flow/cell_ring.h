@@ -12,6 +12,9 @@ namespace quoin {
 /// Number of the edge between two slots of a simplex; the opposite one is 5 minus it.
 inline constexpr std::array<std::array<unsigned, 4>, 4> edge_number{
     {{6, 0, 1, 2}, {0, 6, 3, 4}, {1, 3, 6, 5}, {2, 4, 5, 6}}};
+/// Number of the edge of the other two slots; 6 of a slot and itself.
+inline constexpr std::array<std::array<unsigned, 4>, 4> opposite_edge{
+    {{6, 5, 4, 3}, {5, 6, 2, 1}, {4, 2, 6, 0}, {3, 1, 0, 6}}};
 /// Slots of an edge, ascending.
 inline constexpr std::array<std::array<unsigned, 2>, 6> edge_slots{{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
 

@@ -19,6 +19,10 @@ using V = Vector<double>;
 V minus(const Point3& a, const Point3& b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
+/// The first number if it is true, else the second.
+unsigned choose(bool is_first, unsigned first, unsigned second) {
+  return second ^ ((first ^ second) & (0U - static_cast<unsigned>(is_first)));
+}
 double largest(const V& v) {
   return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
 }
@@ -150,16 +154,17 @@ void CellSigns::set_corners(const Corners& p, const std::array<double, 3>& from_
     const double behind_l = length[j][k];
     const double most = std::max({behind_j, behind_k, behind_l});
     // Without branches, which would be taken at random.
-    const unsigned widest = most == behind_j ? j : most == behind_k ? k : l;
+    const unsigned nearer = choose(behind_k > behind_j, k, j);
+    const unsigned widest = choose(behind_l > std::max(behind_j, behind_k), l, nearer);
     const double sum = behind_j + behind_k + behind_l;
     const double value = sum - 2 * most;
     const double bound = error * sum + slack;
-    unsigned corner = value > bound ? i : widest;
+    unsigned corner = choose(value > bound, i, widest);
     bool is_right = false;
     if (!(std::fabs(value) > bound)) [[unlikely]]
       corner = close_corner(p, i, widest, is_right);
     corners |= corner << 2 * i;
-    rights |= static_cast<unsigned>(is_right) << i;
+    rights |= static_cast<unsigned>(is_right) << 2 * i;
   }
   shape.corner = static_cast<std::uint8_t>(corners);
   shape.right = static_cast<std::uint8_t>(rights);

@@ -12,19 +12,32 @@
 namespace quoin {
 
 /// What the shape of one simplex of a triangulation of space says of its circumcentre and of the angles of its facets.
+/// For each slot two bits, the lowest ones for slot 0.
 struct CellShape {
-  std::uint8_t centre = 0;  ///< for each slot two bits: 1 + the sign of the circumcentre against the facet opposite
-  /// For each slot two bits: the slot of the corner of the facet opposite that is not acute; the slot itself if there
-  /// is none.
+  std::uint8_t centre = 0;  ///< 1 + the sign of the circumcentre against the facet opposite
+  /// The slot of the corner of the facet opposite that is not acute; the slot itself if there is none.
   std::uint8_t corner = 0;
-  std::uint8_t right = 0;  ///< for each slot a bit: that corner is a right angle
+  std::uint8_t right = 0;  ///< 1 if that corner is a right angle
 
   Sign centre_sign(unsigned facet) const { return static_cast<Sign>(static_cast<int>(centre >> 2 * facet & 3) - 1); }
   unsigned wide_corner(unsigned facet) const { return corner >> 2 * facet & 3U; }
-  bool is_right(unsigned facet) const { return (right >> facet & 1) != 0; }
-  bool is_acute(unsigned facet) const { return wide_corner(facet) == facet; }
+  bool is_right(unsigned facet) const { return (right >> 2 * facet & 1) != 0; }
   /// The corner that is obtuse; the facet's own slot if there is none.
   unsigned obtuse_corner(unsigned facet) const { return is_right(facet) ? facet : wide_corner(facet); }
+
+  // The same of all facets at once: for each slot the lower one of its two bits.
+  unsigned wide() const {
+    const unsigned differs = corner ^ own_slots;
+    return (differs | differs >> 1) & lower_bits;
+  }
+  unsigned obtuse() const { return wide() & ~static_cast<unsigned>(right); }
+  unsigned centre_positive() const { return centre >> 1 & lower_bits; }
+  unsigned centre_zero() const { return centre & lower_bits; }
+  unsigned centre_negative() const { return ~(centre_positive() | centre_zero()) & lower_bits; }
+
+ private:
+  static constexpr unsigned own_slots = 0xE4;  ///< 0, 1, 2, 3
+  static constexpr unsigned lower_bits = 0x55;
 };
 
 /// How many signs doubles did not decide.

@@ -2,6 +2,7 @@
 #include "quoin/flow/flow_cells.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "quoin/base/error.h"
 
@@ -52,9 +53,10 @@ void FlowCells::find_shapes(const Context& context) {
     rows_[c].shape = signs.shape(c, tested, spheres);
     unsigned edges = 63;
     for (unsigned i = 0; i < 4; ++i) {
-      const unsigned corner = rows_[c].shape.wide_corner(i);
-      if (corner != i) edges &= ~(1U << (5 - edge_number[i][corner]));
-      if ((spheres >> i & 1) == 0) continue;
+      // Bit 6 stands for no edge, and is not among them.
+      edges &= ~(1U << opposite_edge[i][rows_[c].shape.wide_corner(i)]);
+      if ((spheres >> i & 1) == 0) [[likely]]
+        continue;
       const CellFacet other = mate({c, i});
       rows_[c].bits = static_cast<std::uint8_t>(rows_[c].bits | 1U << i);
       rows_[other.cell].bits = static_cast<std::uint8_t>(rows_[other.cell].bits | 1U << other.slot);
@@ -68,8 +70,9 @@ void FlowCells::find_shapes(const Context& context) {
 /// Among the facets of a simplex and those before it, or on the hull: all is known of both.
 void FlowCells::find_simple_saddles(std::uint32_t cell) {
   const Row row = rows_[cell];
-  for (unsigned i = 0; i < 4; ++i) {
-    if (row.shape.centre_sign(i) != Sign::positive || !row.shape.is_acute(i)) continue;
+  unsigned left = row.shape.centre_positive() & ~row.shape.wide();
+  for (; left != 0; left &= left - 1) {
+    const auto i = static_cast<unsigned>(std::countr_zero(left)) / 2;
     const CellFacet other = mate({cell, i});
     const bool is_hull = is_ghost(other.cell);
     if ((!is_hull && other.cell > cell) || !is_triangle({cell, i})) continue;
@@ -87,8 +90,9 @@ void FlowCells::find_critical_edges(const Context& context) {
   for (std::uint32_t c = 0; c < cells_.size(); ++c) {
     if (c % 1024 == 0) context.poll();
     if (is_ghost(c)) continue;
-    for (unsigned e = 0; e < 6; ++e) {
-      if (((rows_[c].way | ~rows_[c].edges) >> e & 1) != 0) continue;
+    unsigned left = rows_[c].edges & ~static_cast<unsigned>(rows_[c].way);
+    for (; left != 0; left &= left - 1) {
+      const auto e = static_cast<unsigned>(std::countr_zero(left));
       const OtherSlots off = other_slots[edge_slots[e][0]][edge_slots[e][1]];
       bool is_critical = true;
       ring.clear();
@@ -138,13 +142,9 @@ void FlowCells::find_polygon_saddles(std::uint32_t cell) {
 }
 
 std::uint8_t FlowCells::simple_way(const CellShape& shape) const {
-  Sign least = Sign::positive;
-  for (unsigned i = 0; i < 4; ++i) {
-    const Sign sign = shape.centre_sign(i);
-    least = std::min(least, sign);
-    if (sign == Sign::negative && shape.obtuse_corner(i) == i) return static_cast<std::uint8_t>(i);
-  }
-  if (least != Sign::negative) return least == Sign::positive ? is_maximum : is_regular;
+  const unsigned behind = shape.centre_negative() & ~shape.obtuse();
+  if (behind != 0) return static_cast<std::uint8_t>(std::countr_zero(behind) / 2);
+  if (shape.centre_negative() == 0) return shape.centre_zero() == 0 ? is_maximum : is_regular;
   for (unsigned i = 0; i < 4; ++i) {
     const unsigned j = shape.obtuse_corner(i);
     if (j != i && shape.obtuse_corner(j) == i) return static_cast<std::uint8_t>(4 + 5 - edge_number[i][j]);
