@@ -129,9 +129,8 @@ class FlowOfSpace {
   Json shape() {
     const Rational square = square_of(*options_.shape);
     const std::array<std::size_t, 4> counts = graph().counts(square, context_);
-    for (std::uint32_t i = 0; i < graph().saddles().size(); ++i) {
-      const FlowGraph::Saddle& saddle = graph().saddles()[i];
-      if (graph().exact_square_of_saddle(i) <= square) walls_.push_back({saddle.facet, false});
+    for (const std::uint32_t i : graph().saddles_up_to(square, context_)) {
+      walls_.push_back({graph().saddles()[i].facet, false});
     }
     return {{"distance", *options_.shape},
             {"critical", counts},

@@ -3,6 +3,9 @@
 
 #include <cmath>
 #include <map>
+#include <optional>
+#include <unordered_map>
+#include <utility>
 
 #include "quoin/flow/saddle_arcs.h"
 
@@ -68,11 +71,14 @@ VtkGrid grid_of_critical_points(const FlowGraph& graph, const Context& context) 
 void add_critical_edges(const FlowCells& flow, const std::optional<Rational>& most, VtkGrid& grid,
                         const Context& context) {
   const CriticalValues values(flow.triangulation());
+  const Interval around = most ? Interval::around(*most) : Interval::unbounded();
   std::map<std::uint32_t, std::uint32_t> corner_of;
   std::uint32_t count = 0;
   flow.for_each_critical_edge(context, [&](std::uint32_t cell, unsigned edge) {
     const std::uint32_t number = count++;
-    if (most && values.exactly_of_edge(cell, edge) > *most) return;
+    const Interval square = values.of_edge(cell, edge);
+    const auto exact = [&] { return values.exactly_of_edge(cell, edge); };
+    if (most && !is_at_most(square, exact, *most, around)) return;
     std::array<std::uint32_t, 2> corners{};
     for (unsigned i = 0; i < 2; ++i) {
       const std::uint32_t v = flow.cells()[cell].vertices[edge_slots[edge][i]];
@@ -80,7 +86,7 @@ void add_critical_edges(const FlowCells& flow, const std::optional<Rational>& mo
       if (is_new) at->second = add_point(grid, flow.triangulation().point(v));
       corners[i] = at->second;
     }
-    add(grid, VtkCell::line, corners, 1, number, distance(values.of_edge(cell, edge)));
+    add(grid, VtkCell::line, corners, 1, number, distance(square));
   });
 }
 
@@ -96,34 +102,67 @@ void add_surfaces(const FlowMesh& mesh, std::span<const WallSaddle> saddles, con
   }
 }
 
-VtkGrid grid_of_arcs(const FlowCells& flow, const Context& context) {
-  VtkGrid grid;
-  const CriticalValues values(flow.triangulation());
-  SaddleArcs arcs(flow);
-  const auto add_line = [&](std::span<const Point3> points, std::uint32_t number) {
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const std::uint32_t at = add_point(grid, points[i]);
-      if (i == 0) continue;
-      grid.add_cell(VtkCell::line, std::array{at - 1, at});
-      if (grid.cell_integers.empty()) grid.cell_integers = {{"number", {}}};
-      grid.cell_integers[0].second.push_back(number);
+namespace {
+
+/// Lines between points, those of Voronoi vertices shared.
+class ArcLines {
+ public:
+  explicit ArcLines(const FlowCells& flow) : flow_(flow), values_(flow.triangulation()) {
+    grid_.cell_integers = {{"number", {}}};
+  }
+
+  std::uint32_t add(const Point3& p) { return add_point(grid_, p); }
+  std::uint32_t centre(std::uint32_t first) {
+    const auto [at, is_new] = centres_.try_emplace(first, 0);
+    if (is_new) at->second = add(to_nearest_doubles(values_.centre(first)));
+    return at->second;
+  }
+  void line(std::uint32_t from, std::uint32_t to, std::uint32_t number) {
+    grid_.add_cell(VtkCell::line, std::array{from, to});
+    grid_.cell_integers[0].second.push_back(number);
+  }
+  /// The way from a saddle to both sides, up to the first Voronoi vertices.
+  void saddle(CellFacet saddle, std::uint32_t number) {
+    const std::uint32_t middle = add(to_nearest_doubles(values_.centre(saddle)));
+    for (const std::uint32_t cell : {saddle.cell, flow_.mate(saddle).cell}) {
+      if (!flow_.is_ghost(cell)) line(middle, centre(flow_.first_of(cell)), number);
     }
-  };
+  }
+  void leg(std::uint32_t first, const ArcLeg& leg, std::uint32_t number) {
+    std::uint32_t at = centre(first);
+    for (const Point3& p : leg.points) {
+      const std::uint32_t next = add(p);
+      line(at, next, number);
+      at = next;
+    }
+    if (leg.next) line(at, centre(*leg.next), number);
+  }
+  VtkGrid take() { return std::move(grid_); }
+
+ private:
+  const FlowCells& flow_;
+  CriticalValues values_;
+  VtkGrid grid_;
+  std::unordered_map<std::uint32_t, std::uint32_t> centres_;
+};
+
+}  // namespace
+
+VtkGrid grid_of_arcs(const FlowCells& flow, const Context& context) {
+  ArcLines lines(flow);
+  SaddleArcs arcs(flow);
   std::uint32_t number = 0;
   flow.for_each_saddle(context, [&](CellFacet saddle) {
     arcs.ends(saddle, context);
-    const Point3 centre = to_nearest_doubles(values.centre(saddle));
-    for (const std::uint32_t cell : {saddle.cell, flow.mate(saddle).cell}) {
-      if (flow.is_ghost(cell)) continue;
-      add_line(std::array{centre, to_nearest_doubles(values.centre(flow.first_of(cell)))}, number);
-    }
-    ++number;
+    lines.saddle(saddle, number++);
   });
   for (std::uint32_t c = 0; c < flow.cells().size(); ++c) {
     if (c % 64 == 0) context.poll();
-    if (!flow.is_ghost(c)) add_line(arcs.leg_points(c, context), number++);
+    if (flow.is_ghost(c)) continue;
+    const std::optional<ArcLeg> leg = arcs.way_on(c, context);
+    if (leg) lines.leg(c, *leg, number++);
   }
-  return grid;
+  return lines.take();
 }
 
 Mesh mesh_of_surfaces(const FlowMesh& surfaces) {

@@ -39,6 +39,14 @@ inline Point3 to_nearest_doubles(const RationalPoint3& p) {
   return {p.x.to_double(), p.y.to_double(), p.z.to_double()};
 }
 
+/// Whether a number is at most another, both with bounds: `exact()` is asked where those overlap.
+template <class Exact>
+bool is_at_most(const Interval& bounds, const Exact& exact, const Rational& most, const Interval& around) {
+  if (bounds.upper() <= around.lower()) return true;
+  if (bounds.lower() > around.upper()) return false;
+  return exact() <= most;
+}
+
 /// Whether the distances at two points, given squared, differ by at most `most`, which is not negative: high - low <=
 /// most. Exact.
 bool differ_by_at_most(const Rational& square_low, const Rational& square_high, const Rational& most);

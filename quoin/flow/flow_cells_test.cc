@@ -4,12 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <tuple>
 
 #include "quoin/base/error.h"
 #include "quoin/base/test_rounds.h"
+#include "quoin/flow/critical_values.h"
 #include "quoin/flow/saddle_arcs.h"
 #include "quoin/flow/saddle_surfaces.h"
 #include "quoin/flow/stable_surface.h"
@@ -201,6 +203,37 @@ TEST(FlowCells, SayWhatDeloneFacesSay) {
   EXPECT_GT(seen.undecided, 0U);
   EXPECT_GT(seen.large_cells, 0U);
   EXPECT_GT(seen.not_ordinary, 0U);
+}
+
+// Along the ways the distance to the points grows, up to roundings; they lead from each Voronoi vertex to the next.
+TEST(FlowCells, WaysLeadAway) {
+  Random random(102);
+  const std::vector<Point3> points = testing::near_sphere(random, 150);
+  const Delaunay3 triangulation(points, context());
+  const FlowCells cells(triangulation, context());
+  const CriticalValues values(triangulation);
+  SaddleArcs arcs(cells);
+  cells.for_each_saddle(context(), [&](CellFacet saddle) { arcs.ends(saddle, context()); });
+  const auto distance = [&](const Point3& p) {
+    double least = HUGE_VAL;
+    for (const Point3& q : points) least = std::min(least, std::hypot(p.x - q.x, p.y - q.y, p.z - q.z));
+    return least;
+  };
+  std::size_t constructed = 0;
+  for (std::uint32_t c = 0; c < cells.cells().size(); ++c) {
+    if (cells.is_ghost(c)) continue;
+    const std::optional<ArcLeg> leg = arcs.way_on(c, context());
+    if (!leg) continue;
+    double before = distance(to_nearest_doubles(values.centre(c)));
+    constructed += leg->points.size();
+    for (const Point3& p : leg->points) {
+      ASSERT_GT(distance(p), before * (1 - 1e-12));
+      before = distance(p);
+    }
+    const double last = leg->next ? distance(to_nearest_doubles(values.centre(*leg->next))) : before;
+    ASSERT_GE(last, before * (1 - 1e-12));
+  }
+  EXPECT_GT(constructed, 10U);
 }
 
 // The closed formula of lattices: all their faces are critical.

@@ -10,18 +10,6 @@
 
 namespace quoin {
 
-namespace {
-
-/// Whether a number with bounds is at most another.
-template <class Exact>
-bool is_at_most(const Interval& bounds, const Exact& exact, const Rational& most, const Interval& around) {
-  if (bounds.upper() <= around.lower()) return true;
-  if (bounds.lower() > around.upper()) return false;
-  return exact() <= most;
-}
-
-}  // namespace
-
 FlowGraph::FlowGraph(const FlowCells& flow, const Context& context) : flow_(flow), values_(flow.triangulation()) {
   for (std::uint32_t c = 0; c < flow.cells().size(); ++c) {
     if (c % 1024 == 0) context.poll();
@@ -126,6 +114,17 @@ std::vector<std::uint32_t> FlowGraph::simplified(double most, const Context& con
   return becomes;
 }
 
+std::vector<std::uint32_t> FlowGraph::saddles_up_to(const Rational& square, const Context& context) const {
+  const Interval around = Interval::around(square);
+  std::vector<std::uint32_t> found;
+  for (std::uint32_t i = 0; i < saddles_.size(); ++i) {
+    if (i % 256 == 0) context.poll();
+    const auto exact = [&] { return exact_square_of_saddle(i); };
+    if (is_at_most(saddles_[i].square, exact, square, around)) found.push_back(i);
+  }
+  return found;
+}
+
 std::array<std::size_t, 4> FlowGraph::counts(const Rational& square, const Context& context) const {
   const Interval around = Interval::around(square);
   std::array<std::size_t, 4> counts{};
@@ -134,10 +133,7 @@ std::array<std::size_t, 4> FlowGraph::counts(const Rational& square, const Conte
     const auto exact = [&] { return values_.exactly_of_edge(cell, edge); };
     counts[1] += is_at_most(values_.of_edge(cell, edge), exact, square, around) ? 1 : 0;
   });
-  for (std::uint32_t i = 0; i < saddles_.size(); ++i) {
-    const auto exact = [&] { return exact_square_of_saddle(i); };
-    counts[2] += is_at_most(saddles_[i].square, exact, square, around) ? 1 : 0;
-  }
+  counts[2] = saddles_up_to(square, context).size();
   for (std::uint32_t i = 0; i < maxima_.size(); ++i) {
     const auto exact = [&] { return exact_square_of_maximum(i); };
     counts[3] += is_at_most(maxima_[i].square, exact, square, around) ? 1 : 0;

@@ -65,6 +65,8 @@ class FlowGraph {
   /// equivalent to: components by critical edges, hollows by saddles above, tunnels by the alternating sum. Exact.
   /// O(n). @throws Cancelled
   std::array<std::size_t, 3> betti_numbers(const Rational& square, const Context& context) const;
+  /// Places of saddles up to a squared distance. @throws Cancelled
+  std::vector<std::uint32_t> saddles_up_to(const Rational& square, const Context& context) const;
   /// Critical points up to a squared distance, by index. @throws Cancelled
   std::array<std::size_t, 4> counts(const Rational& square, const Context& context) const;
 

@@ -124,26 +124,21 @@ SaddleEnd SaddleArcs::end(std::uint32_t cell, const Context& context) {
   return found;
 }
 
-Point3 SaddleArcs::centre_of(std::uint32_t cell) const {
-  return to_nearest_doubles(CriticalValues(flow_.triangulation()).centre(cell));
-}
-
-std::vector<Point3> SaddleArcs::leg_points(std::uint32_t first, const Context& context) {
-  std::vector<Point3> points;
-  if (end_[first] == unknown) return points;
+std::optional<ArcLeg> SaddleArcs::way_on(std::uint32_t first, const Context& context) {
+  if (end_[first] == unknown) return std::nullopt;
   const Histogram cascades = cascades_;
   const Leg way = leg(first, context);
   cascades_ = cascades;
-  const std::uint32_t next = way.next & ~has_passed;
-  if (way.segments == 0) return points;
-  points.push_back(centre_of(first));
+  if (way.segments == 0) return std::nullopt;
+  ArcLeg found;
   const bool crosses = flow_.way(first).kind == CellWay::Kind::edge;
   const Rational unscale(flow_.triangulation().unscale());
   for (std::uint32_t i = 1; crosses && i < crosser_.chain().size(); ++i) {
-    points.push_back(to_nearest_doubles(crosser_.chain().exact_point(i) * unscale));
+    found.points.push_back(to_nearest_doubles(crosser_.chain().exact_point(i) * unscale));
   }
-  if (next < first_saddle) points.push_back(centre_of(next));
-  return points;
+  const std::uint32_t next = way.next & ~has_passed;
+  if (next < first_saddle) found.next = next;
+  return found;
 }
 
 std::array<SaddleEnd, 2> SaddleArcs::ends(CellFacet saddle, const Context& context) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "quoin/base/context.h"
@@ -26,6 +27,12 @@ struct SaddleEnd {
   std::uint32_t segments = 0;
 };
 
+/// A part of a way, between Voronoi vertices.
+struct ArcLeg {
+  std::vector<Point3> points;         ///< constructed ones; each coordinate the nearest double
+  std::optional<std::uint32_t> next;  ///< the Delone cell whose centre it leads to, where it does
+};
+
 /// The ways from saddles to maxima and infinity, for all of them: what ArcTracer tells, in the time of a few
 /// triangulations at most. Each Voronoi vertex is advanced once; 8 bytes per simplex. Ways go on behind stationary
 /// points that are not critical.
@@ -39,10 +46,9 @@ class SaddleArcs {
   /// The way of the circumcentre of a simplex; a ghost is at infinity. @throws Cancelled
   SaddleEnd end(std::uint32_t cell, const Context& context);
 
-  /// Points of the way from a Delone cell's centre to the next Voronoi vertex or to the end, the centre first, each
-  /// coordinate the nearest double; without what goes to infinity. Empty for cells that are on no way that was asked
-  /// for, and for those that have no way on. @throws Cancelled
-  std::vector<Point3> leg_points(std::uint32_t first, const Context& context);
+  /// The way of a Delone cell's centre to the next Voronoi vertex or to the end. Nothing for cells that are on no way
+  /// that was asked for, and for those where ways end. @throws Cancelled
+  std::optional<ArcLeg> way_on(std::uint32_t first, const Context& context);
 
   /// Constructed points between consecutive Voronoi vertices, for each vertex from which orbits cross facets.
   const Histogram& cascades() const { return cascades_; }
@@ -55,7 +61,6 @@ class SaddleArcs {
     std::uint32_t segments = 0;
   };
   Leg leg(std::uint32_t first, const Context& context);
-  Point3 centre_of(std::uint32_t cell) const;
   void cross(const CellWay& way, Leg& leg, const Context& context);
   std::uint32_t along(CellFacet facet, bool is_above) const;
   void trace(std::uint32_t first, const Context& context);
