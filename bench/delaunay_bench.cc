@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Times the Delaunay triangulation of generated points and prints a line of JSON, with
-// seconds of the processor; peers/cgal_delaunay.cc does the same
+// seconds of the processor, or of the clock where there are more threads; peers/cgal_delaunay.cc does the same
 // with CGAL.
 //
-//   delaunay_bench [--rounds N] [--canonical] cube|ball|sphere|scan|lattice|jittered[-grid] COUNT
+//   delaunay_bench [--rounds N] [--threads N] [--canonical] cube|ball|sphere|scan|lattice|jittered[-grid] COUNT
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -19,7 +20,13 @@
 
 namespace {
 
-void run(const std::string& kind, std::size_t count, int rounds, bool is_canonical) {
+/// Seconds: of the processor for one thread, of the clock for more.
+double now(unsigned threads) {
+  if (threads == 1) return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+void run(const std::string& kind, std::size_t count, int rounds, unsigned threads, bool is_canonical) {
   std::vector<quoin::Point3> points;
   {
     const auto made = delaunay_points::make(kind, count);
@@ -27,14 +34,14 @@ void run(const std::string& kind, std::size_t count, int rounds, bool is_canonic
     for (const auto& [x, y, z] : made) points.push_back({x, y, z});
   }
   const long before = resident_kb();
-  const quoin::Context context({.threads = 1});
+  const quoin::Context context({.threads = threads});
   double best = 1e300;
   std::size_t vertices = 0;
   std::size_t cells = 0;
   for (int round = 0; round < rounds; ++round) {
-    const std::clock_t start = std::clock();
+    const auto start = now(threads);
     const quoin::Delaunay3 result(points, context, {.is_canonical = is_canonical});
-    best = std::min(best, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+    best = std::min(best, now(threads) - start);
     vertices = result.vertex_count();
     cells = result.finite_cell_count();
   }
@@ -47,12 +54,15 @@ void run(const std::string& kind, std::size_t count, int rounds, bool is_canonic
 
 int main(int argc, char** argv) {
   int rounds = 1;
+  unsigned threads = 1;
   bool is_canonical = false;
   std::vector<std::string> words;
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
     if (word == "--rounds" && i + 1 < argc) {
       rounds = std::atoi(argv[++i]);
+    } else if (word == "--threads" && i + 1 < argc) {
+      threads = static_cast<unsigned>(std::atoi(argv[++i]));
     } else if (word == "--canonical") {
       is_canonical = true;
     } else {
@@ -61,7 +71,7 @@ int main(int argc, char** argv) {
   }
   try {
     if (words.size() != 2) throw std::invalid_argument("delaunay_bench KIND COUNT");
-    run(words[0], std::strtoull(words[1].c_str(), nullptr, 10), rounds, is_canonical);
+    run(words[0], std::strtoull(words[1].c_str(), nullptr, 10), rounds, threads, is_canonical);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 1;

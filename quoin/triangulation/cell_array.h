@@ -19,7 +19,7 @@ struct alignas(32) TriangulationCell {
 };
 static_assert(sizeof(TriangulationCell) == 32);
 
-using CellArray = LargeVector<TriangulationCell>;
+using CellArray = UnsetVector<TriangulationCell>;
 
 /// Number of the vertex at infinity, of every triangulation.
 inline constexpr std::uint32_t vertex_at_infinity = 0x7FFFFFFF;

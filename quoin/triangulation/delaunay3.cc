@@ -30,8 +30,9 @@ void Delaunay3::triangulate(const AffineBasis& basis, const Context& context) {
   const auto apex = static_cast<std::uint32_t>(vertex_count_);
   const std::vector<std::uint32_t>& v = basis.vertices;
   if (dimension_ == 2) points_.points.push_back(point_off_plane(points_.all(), basis));
-  cells_ = insert_in_rounds(signs(), vertex_count_, {v[0], v[1], v[2], dimension_ == 2 ? apex : v[3]}, context,
-                            [](std::uint32_t) {});
+  cells_ = insert_in_rounds(
+      signs(), vertex_count_, {v[0], v[1], v[2], dimension_ == 2 ? apex : v[3]}, context, [](std::uint32_t) {},
+      InsertionSplit::of(vertex_count_));
   if (dimension_ == 2) cells_ = without_apex(cells_, apex);
 }
 

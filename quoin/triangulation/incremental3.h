@@ -10,6 +10,9 @@
 
 #include "quoin/base/error.h"
 #include "quoin/triangulation/cell_array.h"
+#include "quoin/triangulation/cell_pool.h"
+#include "quoin/triangulation/rank_region.h"
+#include "quoin/triangulation/star_numbers.h"
 
 namespace quoin {
 
@@ -19,13 +22,18 @@ namespace quoin {
 /// `Signs` owns all geometry: `orientation` of four vertices and `in_conflict` of a cell of finite vertices and a
 /// fifth. It must be that of a regular triangulation; then walks end (Edelsbrunner 1990) and holes are star-shaped.
 /// Where `Signs::may_hide`, a point may be in conflict with no cell, or the last one of all cells of another vertex.
+/// Several threads may have one of these each, on the same cells, each for points of a region of its own.
 /// Expected O(1) cells per point for points in insertion rounds, after the walk. Source: Bowyer 1981; Watson 1981.
 template <class Signs>
 class IncrementalTriangulation {
  public:
-  /// `vertices` is one more than the largest number of a vertex.
-  IncrementalTriangulation(const Signs& signs, std::size_t vertices, CellArray& cells)
-      : signs_(signs), cells_(cells), local_(vertices, unused) {
+  enum class Place {
+    inserted,
+    hidden,
+    late  ///< it would change what is not its region's, or there is no room; nothing has changed
+  };
+
+  IncrementalTriangulation(const Signs& signs, CellArray& cells) : signs_(signs), cells_(cells) {
     table_.resize(most_local * most_local);
   }
 
@@ -51,53 +59,66 @@ class IncrementalTriangulation {
     last_ = 0;
   }
 
+  /// Where walks begin.
+  void begin_at(std::uint32_t cell) { last_ = cell; }
+  std::uint32_t last() const { return last_; }
+  bool is_free(std::uint32_t cell) const { return (cells_[cell].vertices[0] & mark) != 0; }
+  /// Cells to be made use of.
+  CellPool& pool() { return pool_; }
+
   /// The cell in which the walk from the cell inserted last ends: a finite one that holds the point, or a ghost of a
-  /// facet that sees it.
-  std::uint32_t locate(std::uint32_t q) const {
+  /// facet that sees it. `no_cell` where the walk would leave the facets of the region.
+  template <class Region>
+  std::uint32_t locate(std::uint32_t q, const Region& region) const {
     std::uint32_t cell = last_;
     if (cells_[cell].vertices[3] == vertex_at_infinity) cell = cells_[cell].neighbours[3] >> 2;
     unsigned entry = 4;
     for (;;) {
-      const TriangulationCell& at = cells_[cell];
-      if (at.vertices[3] == vertex_at_infinity) return cell;
+      const auto& v = cells_[cell].vertices;
+      if (v[3] == vertex_at_infinity) return cell;
+      bool is_shut = false;
       unsigned exit = 0;
       for (; exit < 4; ++exit) {
         if (exit == entry) continue;
         const auto& [a, b, c] = facet_slots[exit];
-        if (signs_.orientation(at.vertices[a], at.vertices[b], at.vertices[c], q) < 0) break;
+        if (signs_.orientation(v[a], v[b], v[c], q) >= 0) continue;
+        if (region.owns_facet(v[a], v[b], v[c])) break;
+        is_shut = true;
       }
-      if (exit == 4) return cell;
-      entry = at.neighbours[exit] & 3;
-      cell = at.neighbours[exit] >> 2;
+      if (exit == 4) return is_shut ? no_cell : cell;
+      const std::uint32_t next = cells_[cell].neighbours[exit];
+      entry = next & 3;
+      cell = next >> 2;
     }
   }
 
-  /// False if the point is hidden. `when_hidden` is called with each vertex that the new one hides.
-  template <class WhenHidden>
-  bool insert(std::uint32_t q, [[maybe_unused]] const WhenHidden& when_hidden) {
-    const std::uint32_t found = locate(q);
+  /// `when_hidden` is called with each vertex that the new one hides.
+  template <class Region, class WhenHidden>
+  Place insert(std::uint32_t q, const Region& region, [[maybe_unused]] const WhenHidden& when_hidden) {
+    const std::uint32_t found = locate(q, region);
+    if (found == no_cell) return Place::late;
     if constexpr (Signs::may_hide) {
-      if (!is_in_conflict(cells_[found], q)) return false;
+      if (!is_in_conflict(cells_[found], q)) return Place::hidden;
     }
-    gather(found, q);
+    if (!gather(found, q, region)) {
+      for (const std::uint32_t cell : dead_) cells_[cell].vertices[0] &= ~mark;
+      return Place::late;
+    }
     if constexpr (Signs::may_hide) collect_vertices();
     if (!fill_by_table(q)) fill_by_sorting(q);
     if constexpr (Signs::may_hide) {
-      for (const std::uint32_t v : inner_) {
-        if (local_[v] == unused) when_hidden(v);
-      }
+      for (const std::uint32_t v : inner_) when_hidden(v);
     }
-    for (const std::uint32_t v : star_) local_[v] = unused;
-    free_.insert(free_.end(), dead_.begin() + static_cast<std::ptrdiff_t>(std::min(dead_.size(), facets_.size())),
-                 dead_.end());
+    for (std::size_t k = facets_.size(); k < dead_.size(); ++k) pool_.add(dead_[k]);
     last_ = new_cells_.back();
-    return true;
+    return Place::inserted;
   }
 
   /// Cells that are of no use move out of the array.
   void compact() {
-    std::sort(free_.rbegin(), free_.rend());
-    for (const std::uint32_t hole : free_) {
+    std::vector<std::uint32_t> holes = pool_.places();
+    std::sort(holes.rbegin(), holes.rend());
+    for (const std::uint32_t hole : holes) {
       const auto end = static_cast<std::uint32_t>(cells_.size() - 1);
       if (hole != end) {
         cells_[hole] = cells_[end];
@@ -109,14 +130,15 @@ class IncrementalTriangulation {
       }
       cells_.pop_back();
     }
-    free_.clear();
+    pool_ = {};
   }
 
- private:
-  static constexpr std::uint32_t mark = 0x80000000U;  // on the first vertex of a cell that goes
-  static constexpr std::uint8_t unused = 0xFF;
+  static constexpr std::uint32_t no_cell = 0xFFFFFFFF;
   static constexpr std::size_t most_cells = std::size_t{1} << 30;
-  static constexpr unsigned most_local = 64;  // vertices of a star in the table; the last one is infinity
+
+ private:
+  static constexpr std::uint32_t mark = 0x80000000U;         // on the first vertex of a cell that goes, or went
+  static constexpr unsigned most_local = StarNumbers::most;  // vertices of a star in the table; the last is infinity
 
   /// Between a cell that goes and one that stays: its vertices as in facet_slots, and the one that stays.
   struct Facet {
@@ -142,9 +164,12 @@ class IncrementalTriangulation {
     for (const std::uint32_t next : cells_[cell].neighbours) __builtin_prefetch(&cells_[next >> 2]);
   }
 
-  void gather(std::uint32_t found, std::uint32_t q) {
+  /// False where a cell is not the region's, or there are too few for what comes.
+  template <class Region>
+  bool gather(std::uint32_t found, std::uint32_t q, const Region& region) {
     dead_.clear();
     facets_.clear();
+    if (!region.owns(cells_[found].vertices)) return false;
     take(found);
     // The list grows on the way.
     for (std::size_t k = 0; k < dead_.size(); ++k) {  // NOLINT(modernize-loop-convert)
@@ -155,6 +180,7 @@ class IncrementalTriangulation {
         const std::uint32_t next = cell.neighbours[i] >> 2;
         if ((cells_[next].vertices[0] & mark) != 0) continue;
         if (is_in_conflict(cells_[next], q)) {
+          if (!region.owns(cells_[next].vertices)) return false;
           take(next);
         } else {
           const auto& [a, b, c] = facet_slots[i];
@@ -162,15 +188,12 @@ class IncrementalTriangulation {
         }
       }
     }
+    return Region::may_grow || facets_.size() <= dead_.size() + pool_.size();
   }
 
   std::uint32_t new_cell(std::size_t k) {
     if (k < dead_.size()) return dead_[k];
-    if (!free_.empty()) {
-      const std::uint32_t cell = free_.back();
-      free_.pop_back();
-      return cell;
-    }
+    if (pool_.size() > 0) return pool_.take();
     // Neighbours are four codes of 32 bits for each cell.
     if (cells_.size() >= most_cells) throw InputError("the triangulation has more than 2^30 cells");
     cells_.emplace_back();
@@ -197,20 +220,12 @@ class IncrementalTriangulation {
                                                    : std::array<std::uint32_t, 3>{0, 1, 2};
   }
 
-  unsigned local_number(std::uint32_t v) {
-    if (v == vertex_at_infinity) return most_local - 1;
-    std::uint8_t& number = local_[v];
-    if (number == unused) {
-      number = static_cast<std::uint8_t>(star_.size());
-      star_.push_back(v);
-    }
-    return number;
-  }
+  unsigned local_number(std::uint32_t v) { return v == vertex_at_infinity ? most_local - 1 : numbers_.number(v); }
 
   /// Each directed edge of the hole's surface is of one facet, and its reverse of the one beyond.
   bool fill_by_table(std::uint32_t q) {
-    star_.clear();
     new_cells_.clear();
+    facet_numbers_.clear();
     numbers_.clear();
     if (facets_.size() > 2 * (most_local - 2) - 4) return false;  // a sphere of more triangles has more vertices
     for (std::size_t k = 0; k < facets_.size(); ++k) {
@@ -219,7 +234,7 @@ class IncrementalTriangulation {
                                       local_number(facet.vertices[2])};
       const std::uint32_t id = new_cell(k);
       new_cells_.push_back(id);
-      numbers_.push_back(l);
+      facet_numbers_.push_back(l);
       write_cell(id, facet, q);
       const auto slots = slots_of(facet);
       table_[l[0] * most_local + l[1]] = id * 4 + slots[2];
@@ -227,7 +242,7 @@ class IncrementalTriangulation {
       table_[l[2] * most_local + l[0]] = id * 4 + slots[1];
     }
     for (std::size_t k = 0; k < facets_.size(); ++k) {
-      const auto& l = numbers_[k];
+      const auto& l = facet_numbers_[k];
       const auto slots = slots_of(facets_[k]);
       TriangulationCell& cell = cells_[new_cells_[k]];
       cell.neighbours[slots[2]] = table_[l[1] * most_local + l[0]];
@@ -249,12 +264,6 @@ class IncrementalTriangulation {
         const std::uint32_t from = facet.vertices[i];
         const std::uint32_t to = facet.vertices[(i + 1) % 3];
         edges_.push_back({std::uint64_t{std::min(from, to)} << 32 | std::max(from, to), id * 4 + slots[(i + 2) % 3]});
-        if constexpr (Signs::may_hide) {
-          if (from != vertex_at_infinity && local_[from] == unused) {
-            local_[from] = 0;
-            star_.push_back(from);
-          }
-        }
       }
     }
     std::sort(edges_.begin(), edges_.end());
@@ -266,31 +275,35 @@ class IncrementalTriangulation {
     }
   }
 
-  /// Of the cells that go; those on no facet of the hole are hidden afterwards.
+  /// Of the cells that go, those on no facet of the hole: they are hidden afterwards.
   void collect_vertices() {
     inner_.clear();
+    outer_.clear();
     for (const std::uint32_t cell : dead_) {
-      for (std::uint32_t v : cells_[cell].vertices) {
-        v &= ~mark;
-        if (v != vertex_at_infinity) inner_.push_back(v);
-      }
+      for (const std::uint32_t v : cells_[cell].vertices) inner_.push_back(v & ~mark);
     }
-    std::sort(inner_.begin(), inner_.end());
-    inner_.erase(std::unique(inner_.begin(), inner_.end()), inner_.end());
+    for (const Facet& facet : facets_) outer_.insert(outer_.end(), facet.vertices.begin(), facet.vertices.end());
+    for (auto* list : {&inner_, &outer_}) {
+      std::sort(list->begin(), list->end());
+      list->erase(std::unique(list->begin(), list->end()), list->end());
+    }
+    // The vertex at infinity is the last one, and hidden by none.
+    if (inner_.back() == vertex_at_infinity) inner_.pop_back();
+    std::erase_if(inner_, [this](std::uint32_t v) { return std::binary_search(outer_.begin(), outer_.end(), v); });
   }
 
   const Signs& signs_;
   CellArray& cells_;
-  std::vector<std::uint8_t> local_;  // number of a vertex in the star, by vertex
+  CellPool pool_;
+  StarNumbers numbers_;
   std::vector<std::uint32_t> table_;
   std::vector<std::uint32_t> dead_;
   std::vector<Facet> facets_;
-  std::vector<std::uint32_t> star_;
   std::vector<std::uint32_t> new_cells_;
-  std::vector<std::array<unsigned, 3>> numbers_;
+  std::vector<std::array<unsigned, 3>> facet_numbers_;
   std::vector<std::pair<std::uint64_t, std::uint32_t>> edges_;
   std::vector<std::uint32_t> inner_;
-  std::vector<std::uint32_t> free_;
+  std::vector<std::uint32_t> outer_;
   std::uint32_t last_ = 0;
 };
 

@@ -5,34 +5,81 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
+#include <vector>
 
 #include "quoin/base/context.h"
-#include "quoin/triangulation/incremental3.h"
 #include "quoin/triangulation/insertion_round.h"
+#include "quoin/triangulation/region_insertion.h"
 
 namespace quoin {
 
-/// Triangulates vertices 0 to count - 1, and those of the simplex, which are four that are not coplanar. Calls
-/// `when_hidden` with vertices that are none of the triangulation, now or any more.
+/// Into how many regions points are divided, each with at least so many points of a round. More threads than regions
+/// are of no use; more regions make more points late.
+struct InsertionSplit {
+  std::size_t regions = 2;
+  std::size_t least_points = 4096;
+
+  /// By the number of points alone, so that results do not depend on threads.
+  static InsertionSplit of(std::size_t count) {
+    InsertionSplit split;
+    if (count >= 4'000'000) split.regions = 4;
+    return split;
+  }
+};
+
+/// Triangulates vertices 0 to count - 1, and those of the simplex, which are four that are not coplanar; one of these
+/// may be the vertex `count`. Calls `when_hidden` with vertices that are none of the triangulation, now or any more.
+/// The cells and their order do not depend on threads.
 /// @throws InputError where there are more than 2^30 cells; Cancelled
 template <class Signs, class WhenHidden>
 CellArray insert_in_rounds(const Signs& signs, std::size_t count, const std::array<std::uint32_t, 4>& simplex,
-                           const Context& context, const WhenHidden& when_hidden) {
+                           const Context& context, const WhenHidden& when_hidden, const InsertionSplit& split) {
   constexpr std::size_t cells_per_point = 8;  // somewhat more than in a volume; only what is used takes memory
+  using Engine = IncrementalTriangulation<Signs>;
   CellArray cells;
   cells.reserve((count + 1) * cells_per_point + 64);
-  IncrementalTriangulation<Signs> engine(signs, count + 1, cells);
+  Engine engine(signs, cells);
   engine.start(simplex);
-  std::size_t done = 0;
+  const auto cycle = static_cast<std::uint32_t>(count + 1);
+  InsertionProgress progress(context, count);
+  RegionInsertion<Signs> regions(signs, cells, engine, cycle, split.regions, progress, context);
+  std::size_t tried = 0;
+  const auto insert = [&](std::uint32_t v) {
+    if (engine.insert(v, WholeRegion(), when_hidden) == Engine::Place::hidden) when_hidden(v);
+    if (++tried % 1024 == 0) progress.add(1024);
+  };
   for (unsigned round = insertion_rounds; round-- > 0;) {
-    for (std::uint32_t v = 0; v < count; ++v) {
-      if (insertion_round(v) != round || std::find(simplex.begin(), simplex.end(), v) != simplex.end()) continue;
-      if (++done % 1024 == 0) {
-        context.progress("triangulate", static_cast<double>(done) / static_cast<double>(count));
+    const auto is_of_round = [&](std::uint32_t v) {
+      return insertion_round(v) == round && std::find(simplex.begin(), simplex.end(), v) == simplex.end();
+    };
+    const std::size_t points = round + 1 < insertion_rounds ? (count - count / 8) >> (3 * round) : 0;
+    if (split.regions < 2 || points < split.regions * split.least_points) {
+      for (std::uint32_t v = 0; v < count; ++v) {
+        if (is_of_round(v)) insert(v);
       }
-      if (!engine.insert(v, when_hidden)) when_hidden(v);
+      continue;
     }
+    const auto visit = [&](const RankRegion& region, const auto& insert_one) {
+      for (const auto& [begin, end] : region.runs()) {
+        for (std::uint32_t v = begin; v < std::min<std::size_t>(end, count); ++v) {
+          if (is_of_round(v)) insert_one(v);
+        }
+      }
+    };
+    std::vector<std::uint32_t> late = regions.insert(split.regions, 0, points, visit, when_hidden);
+    // Halves of Hilbert's curve are halves of a cube, and from a quarter on they are so across another axis.
+    constexpr std::array<double, 2> halves{0, 0.25};
+    for (const double begin : halves) {
+      if (late.size() < 2 * split.least_points) break;
+      if (begin == 0 && split.regions == 2) continue;
+      const auto visit_late = [&](const RankRegion& region, const auto& insert_one) {
+        for (const std::uint32_t v : late) {
+          if (region.contains(v)) insert_one(v);
+        }
+      };
+      late = regions.insert(2, begin, late.size(), visit_late, when_hidden);
+    }
+    std::for_each(late.begin(), late.end(), insert);
   }
   engine.compact();
   return cells;

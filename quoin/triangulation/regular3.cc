@@ -73,8 +73,9 @@ void Regular3::triangulate(const AffineBasis& basis, const Context& context) {
     weights_.push_back(0);
   }
   const RegularSigns signs(points_.all(), weights_, dimension_ == 2);
-  cells_ = insert_in_rounds(signs, vertex_count_, {v[0], v[1], v[2], dimension_ == 2 ? apex : v[3]}, context,
-                            [this](std::uint32_t hidden) { is_hidden_[hidden] = true; });
+  cells_ = insert_in_rounds(
+      signs, vertex_count_, {v[0], v[1], v[2], dimension_ == 2 ? apex : v[3]}, context,
+      [this](std::uint32_t hidden) { is_hidden_[hidden] = true; }, InsertionSplit::of(vertex_count_));
   if (dimension_ == 2) cells_ = without_apex(cells_, apex);
 }
 
