@@ -51,6 +51,17 @@ class CellPool {
     return parts;
   }
 
+  /// Leaves out the runs at the end of an array of this size; gives the size without them.
+  std::size_t without_end(std::size_t size) {
+    std::sort(runs_.begin(), runs_.end());
+    while (!runs_.empty() && runs_.back().second == size) {
+      size = runs_.back().first;
+      fresh_ -= runs_.back().second - runs_.back().first;
+      runs_.pop_back();
+    }
+    return size;
+  }
+
   std::vector<std::uint32_t> places() const {
     std::vector<std::uint32_t> all = singles_;
     all.reserve(size());

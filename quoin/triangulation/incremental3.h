@@ -116,6 +116,7 @@ class IncrementalTriangulation {
 
   /// Cells that are of no use move out of the array.
   void compact() {
+    cells_.resize(pool_.without_end(cells_.size()));
     std::vector<std::uint32_t> holes = pool_.places();
     std::sort(holes.rbegin(), holes.rend());
     for (const std::uint32_t hole : holes) {
