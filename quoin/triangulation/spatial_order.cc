@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <utility>
 
 #if defined(__linux__)
 #include <malloc.h>
 #endif
 
 #include "quoin/base/large_vector.h"
+#include "quoin/base/parallel.h"
 #include "quoin/kernel/hilbert_key.h"
 #include "quoin/triangulation/distinct_points.h"
 
@@ -19,6 +21,9 @@ namespace {
 
 constexpr unsigned bits_per_axis = 11;
 constexpr unsigned digit_bits = 11;
+constexpr std::size_t digits = std::size_t{1} << digit_bits;
+constexpr std::size_t least_grain = std::size_t{1} << 15;  // points that a thread counts and moves at a time
+constexpr std::size_t most_chunks = 64;
 constexpr unsigned passes = 3 * bits_per_axis / digit_bits;
 constexpr std::size_t few = 16;  // distinct points of one cell that are sorted by their coordinates
 
@@ -80,10 +85,11 @@ class Sorter {
     const auto point = [&](std::size_t i) -> const Point3& { return points_[list[i].point()]; };
     if (!detail::has_more_distinct_points<few, Point3>(list.size(), point, context_)) return sort_by_coordinates(list);
     const Cube cube(points_, list);
-    for (std::size_t i = 0; i < list.size(); ++i) {
-      if (i % 4096 == 0) context_.poll();
-      list[i] = {cube.key(points_[list[i].point()]), list[i].point()};
-    }
+    for_each_chunk(context_, list.size(), 8192, [&](const Chunk& chunk) {
+      for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+        list[i] = {cube.key(points_[list[i].point()]), list[i].point()};
+      }
+    });
     sort_by_key(list);
     for (std::size_t begin = 0; begin < list.size();) {
       const std::uint64_t key = list[begin].key();
@@ -118,15 +124,24 @@ class Sorter {
     LargeVector<Keyed> other(list.size());
     std::span<Keyed> from = list;
     std::span<Keyed> to(other);
+    // Where those of a chunk with each digit begin: after all smaller digits, and those of the chunks before.
+    const std::size_t grain = std::max(least_grain, list.size() / most_chunks + 1);
+    std::vector<std::array<std::size_t, digits>> begin(chunk_count(list.size(), grain));
     for (unsigned pass = 0; pass < passes; ++pass) {
-      context_.poll();
       const auto digit = [pass](const Keyed& k) {
-        return static_cast<std::size_t>(k.key() >> (pass * digit_bits)) & ((1U << digit_bits) - 1);
+        return static_cast<std::size_t>(k.key() >> (pass * digit_bits)) & (digits - 1);
       };
-      std::array<std::size_t, (std::size_t{1} << digit_bits) + 1> begin{};
-      for (const Keyed& k : from) ++begin[digit(k) + 1];
-      for (std::size_t d = 1; d < begin.size(); ++d) begin[d] += begin[d - 1];
-      for (const Keyed& k : from) to[begin[digit(k)]++] = k;
+      for_each_chunk(context_, list.size(), grain, [&](const Chunk& chunk) {
+        begin[chunk.index].fill(0);
+        for (std::size_t i = chunk.begin; i < chunk.end; ++i) ++begin[chunk.index][digit(from[i])];
+      });
+      std::size_t sum = 0;
+      for (std::size_t d = 0; d < digits; ++d) {
+        for (auto& of_chunk : begin) sum += std::exchange(of_chunk[d], sum);
+      }
+      for_each_chunk(context_, list.size(), grain, [&](const Chunk& chunk) {
+        for (std::size_t i = chunk.begin; i < chunk.end; ++i) to[begin[chunk.index][digit(from[i])]++] = from[i];
+      });
       std::swap(from, to);
     }
     if (from.data() != list.data()) std::copy(from.begin(), from.end(), list.begin());
