@@ -13,11 +13,11 @@
 
 namespace quoin {
 
-/// Into how many regions points are divided, each with at least so many points of a round. More threads than regions
-/// are of no use; more regions make more points late.
+/// Into how many regions points are divided, each with at least so many points of a round; late ones, from a quarter of
+/// that on. More threads than regions are of no use; more regions make more points late.
 struct InsertionSplit {
   std::size_t regions = 2;
-  std::size_t least_points = 4096;
+  std::size_t least_points = 16384;
 
   /// By the number of points alone, so that results do not depend on threads.
   static InsertionSplit of(std::size_t count) {
@@ -70,7 +70,7 @@ CellArray insert_in_rounds(const Signs& signs, std::size_t count, const std::arr
     // Halves of Hilbert's curve are halves of a cube, and from a quarter on they are so across another axis.
     constexpr std::array<double, 2> halves{0, 0.25};
     for (const double begin : halves) {
-      if (late.size() < 2 * split.least_points) break;
+      if (late.size() < split.least_points / 4) break;
       if (begin == 0 && split.regions == 2) continue;
       const auto visit_late = [&](const RankRegion& region, const auto& insert_one) {
         for (const std::uint32_t v : late) {

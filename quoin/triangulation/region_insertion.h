@@ -43,6 +43,7 @@ class RegionInsertion {
                                     const WhenHidden& when_hidden) {
     const std::span<Hand> hands = std::span<Hand>(hands_).first(regions);
     place_regions(hands, begin);
+
     hand_out_cells(hands, points);
     for_each_chunk(context_, regions, 1, [&](const Chunk& chunk) { insert_region(hands[chunk.index], visit); });
     std::vector<std::uint32_t> late;
@@ -55,9 +56,6 @@ class RegionInsertion {
       hand.hidden = {};
     }
     std::sort(late.begin(), late.end());
-#ifdef PAR_STATS
-    std::fprintf(stderr, " phase %zu points, late %zu\n", points, late.size());
-#endif
     return late;
   }
 
