@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Builds web/ into HTML files, one for each kind of page, and embeds them into the library: what quoin/view/page.cc,
-# picture_page.cc, sphere_page.cc and plan_page.cc write into.
+# picture_page.cc, sphere_page.cc, plan_page.cc and layered_page.cc write into.
 # Everything npm writes lies in the build tree. Without Node.js the library still builds, and write_page says what is missing.
 if(NOT QUOIN_VIEW)
   return()
@@ -21,7 +21,7 @@ endif()
 set(web_source "${PROJECT_SOURCE_DIR}/web")
 set(web_build "${PROJECT_BINARY_DIR}/web")
 set(web_lock package.json package-lock.json .npmrc)
-set(web_config index.html picture.html sphere.html plan.html tsconfig.json vite.config.ts)
+set(web_config index.html picture.html sphere.html plan.html layers.html tsconfig.json vite.config.ts)
 file(GLOB_RECURSE web_files RELATIVE "${web_source}" CONFIGURE_DEPENDS
   "${web_source}/src/*.ts" "${web_source}/src/*.css")
 list(APPEND web_files ${web_config})
@@ -40,7 +40,7 @@ add_custom_command(
   VERBATIM)
 list(TRANSFORM web_config PREPEND "${web_source}/" OUTPUT_VARIABLE web_config_paths)
 set(embed_page "${PROJECT_SOURCE_DIR}/cmake/embed_page.cmake")
-set(page_templates page_template.cc picture_template.cc sphere_template.cc plan_template.cc)
+set(page_templates page_template.cc picture_template.cc sphere_template.cc plan_template.cc layers_template.cc)
 list(TRANSFORM page_templates PREPEND "${web_build}/")
 add_custom_command(
   OUTPUT ${page_templates}
@@ -54,6 +54,8 @@ add_custom_command(
   COMMAND "${CMAKE_COMMAND}" -DFROM=dist/sphere.html -DTO=sphere_template.cc -DNAME=built_sphere_template
           -P "${embed_page}"
   COMMAND "${CMAKE_COMMAND}" -DFROM=dist/plan.html -DTO=plan_template.cc -DNAME=built_plan_template -P "${embed_page}"
+  COMMAND "${CMAKE_COMMAND}" -DFROM=dist/layers.html -DTO=layers_template.cc -DNAME=built_layers_template
+          -P "${embed_page}"
   WORKING_DIRECTORY "${web_build}"
   DEPENDS "${web_build}/installed" ${web_paths} "${embed_page}"
   COMMENT "Building the browser view"
@@ -65,7 +67,7 @@ set_source_files_properties(view/no_templates.cc PROPERTIES COMPILE_DEFINITIONS 
 if(QUOIN_TESTS)
   # Writes the pages that scripts/test_view opens in a browser.
   add_executable(view_pages "${web_source}/test/make_pages.cc" "${web_source}/test/make_pictures.cc"
-    "${web_source}/test/make_plans.cc")
+    "${web_source}/test/make_plans.cc" "${web_source}/test/make_layers.cc")
   set_target_properties(view_pages PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}")
   target_link_libraries(view_pages PRIVATE quoin quoin_warnings)
 endif()

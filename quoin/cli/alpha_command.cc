@@ -18,6 +18,7 @@
 #include "quoin/cli/persistence_diagram.h"
 #include "quoin/cli/planar.h"
 #include "quoin/cli/point_input.h"
+#include "quoin/cli/point_scenes.h"
 #include "quoin/cli/primes.h"
 #include "quoin/cli/summary.h"
 #include "quoin/cli/targets.h"
@@ -133,7 +134,8 @@ void run_graph(const AlphaPoints& points, const PointFile& file, Json& report, s
   report["length"] = rounded(length);
   write_cells({.grid = [&] { return grid_of_graph(points, edges, file); },
                .mesh = {},
-               .text = [&](std::ostream& out) { write_graph(out, points, edges, context); }},
+               .text = [&](std::ostream& out) { write_graph(out, points, edges, context); },
+               .page = [&] { return scene_of_graph(points, edges, options.graph, file); }},
               options, warnings, context);
 }
 
@@ -150,6 +152,15 @@ Choice choose(const AlphaComplex& alpha, const std::optional<Rational>& value, c
   return {grades, alpha.exact_value(grades - 1)};
 }
 
+LayeredScene page_of(const AlphaPoints& points, const AlphaIntervals& intervals, const Choice& choice,
+                     const PointFile& file, const Context& context) {
+  context.progress("persistence", 0);
+  const auto shown = choice.value ? std::optional(choice.grades) : std::nullopt;
+  LayeredScene scene = scene_of_alpha(points, intervals, shown, file, context);
+  scene.facts.insert(scene.facts.begin(), {"Points", std::to_string(file.points.size())});
+  return scene;
+}
+
 void run_shape(const AlphaPoints& points, const PointFile& file, const std::optional<Rational>& value, Json& report,
                std::vector<std::string>& warnings, const Options& options, const Context& context) {
   const AlphaComplex& alpha = points.alpha;
@@ -162,11 +173,11 @@ void run_shape(const AlphaPoints& points, const PointFile& file, const std::opti
   context.progress("shape", 0);
   const AlphaIntervals intervals(alpha, context);
   report["shape"] = describe_shape(alpha, intervals, choice.grades, context);
-  write_cells(
-      {.grid = [&] { return grid_of_shape(points, intervals, choice.grades, file, context); },
-       .mesh = [&] { return mesh_of_shape(points, intervals, choice.grades, file, context); },
-       .text = [&](std::ostream& out) { write_filtration(out, points, choice.grades, options.exact, context); }},
-      options, warnings, context);
+  write_cells({.grid = [&] { return grid_of_shape(points, intervals, choice.grades, file, context); },
+               .mesh = [&] { return mesh_of_shape(points, intervals, choice.grades, file, context); },
+               .text = [&](std::ostream& out) { write_filtration(out, points, choice.grades, options.exact, context); },
+               .page = [&] { return page_of(points, intervals, choice, file, context); }},
+              options, warnings, context);
 }
 
 PersistenceDiagram run_persistence_of(const AlphaComplex& alpha, Json& report, const Options& options,

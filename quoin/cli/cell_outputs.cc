@@ -7,6 +7,7 @@
 #include "quoin/cli/reporting.h"
 #include "quoin/cli/target_writing.h"
 #include "quoin/cli/targets.h"
+#include "quoin/view/layered_page.h"
 
 namespace quoin::cli {
 
@@ -27,6 +28,11 @@ void write_one(const Target& target, const CellOutputs& outputs, const Options& 
     write_target(target, [&](std::ostream& out) { write_vtk(out, made, title, context); });
   } else if (target.kind == Target::Kind::simplices) {
     write_target(target, outputs.text);
+  } else if (target.kind == Target::Kind::page) {
+    LayeredScene made = outputs.page();
+    made.title = title_of(options.inputs[0]);
+    context.progress("writing", 0);
+    write_target(target, [&](std::ostream& out) { write_layered_page(out, made); });
   } else {
     const Mesh made = outputs.mesh();
     require_finite(made);

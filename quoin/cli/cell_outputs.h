@@ -9,6 +9,7 @@
 #include "quoin/base/context.h"
 #include "quoin/cli/options.h"
 #include "quoin/io/vtk_grid.h"
+#include "quoin/view/layered_scene.h"
 
 namespace quoin::cli {
 
@@ -17,6 +18,7 @@ struct CellOutputs {
   std::function<VtkGrid()> grid;
   std::function<Mesh()> mesh;
   std::function<void(std::ostream&)> text{};  ///< of commands that write .txt
+  std::function<LayeredScene()> page{};       ///< of commands that write .html; the title is set here
 };
 
 /// Writes the outputs of a command about cells of points. What meshes do not hold goes to `warnings`.

@@ -10,6 +10,7 @@
 #include "quoin/cli/memory.h"
 #include "quoin/cli/planar.h"
 #include "quoin/cli/point_input.h"
+#include "quoin/cli/point_scenes.h"
 #include "quoin/cli/summary.h"
 #include "quoin/cli/triangulated_points.h"
 
@@ -36,6 +37,16 @@ Json report_of(const TriangulatedPoints& made, const PointFile& file, const Opti
   return report;
 }
 
+LayeredScene page_of(const TriangulatedPoints& made, const PointFile& file, const Options& options,
+                     const Context& context) {
+  LayeredScene scene = scene_of_triangulation(made, file, context);
+  std::vector<ViewFact> facts{{"Points", std::to_string(file.points.size())}, {"Cells", std::to_string(made.cells)}};
+  if (made.delone) facts.emplace_back("Delone cells", std::to_string(*made.delone));
+  if (options.weighted) facts.emplace_back("Hidden points", std::to_string(made.hidden));
+  scene.facts.insert(scene.facts.begin(), facts.begin(), facts.end());
+  return scene;
+}
+
 }  // namespace
 
 int run_delaunay(const Options& options, const Context& context) {
@@ -48,8 +59,10 @@ int run_delaunay(const Options& options, const Context& context) {
   announce_memory(memory_to_triangulate(file.points.size(), how, options.weighted), file.points.size(), options);
   const TriangulatedPoints made = triangulate(file, how, context);
   warn_of_points(made.heights_lost, made.dimension, options, how.of_plane, warnings);
-  write_cells({.grid = [&] { return grid_of(made, file); }, .mesh = [&] { return mesh_of(made, file); }}, options,
-              warnings, context);
+  write_cells({.grid = [&] { return grid_of(made, file); },
+               .mesh = [&] { return mesh_of(made, file); },
+               .page = [&] { return page_of(made, file, options, context); }},
+              options, warnings, context);
   Json report = report_of(made, file, options);
   const std::string text = as_text(report);
   print_report(std::move(report), text, warnings, options);

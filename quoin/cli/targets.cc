@@ -67,13 +67,15 @@ Target planar_target(const std::string& name, const std::string& ending, const O
   return target;
 }
 
-Target cells_target(const std::string& name, const std::string& ending, bool has_text) {
+Target cells_target(const std::string& name, const std::string& ending, bool has_text, bool has_page) {
   if (ending == ".vtk") return {name, Target::Kind::grid};
+  if (has_page && (ending == ".html" || ending == ".htm")) return {name, Target::Kind::page};
   if (ending == ".txt" && has_text) return {name, Target::Kind::simplices};
   const auto format = format_from_path("x" + ending);
   if (!format || is_triangles_only(*format)) {
     throw UsageError((name == standard_stream ? "--format '" + ending.substr(1) + "'" : name + ": the ending") +
-                     " tells no format that is written (vtk, ply, obj, off" + (has_text ? ", txt)" : ")"));
+                     " tells no format that is written (vtk, ply, obj, off" + (has_page ? ", html" : "") +
+                     (has_text ? ", txt)" : ")"));
   }
   return {name, Target::Kind::mesh, *format};
 }
@@ -104,8 +106,10 @@ Target target_of(const std::string& name, const Options& options) {
   if (options.command == "delaunay" || options.command == "voronoi" || options.command == "alpha" ||
       options.command == "flow") {
     const bool has_text = options.command == "alpha";
-    if (name != standard_stream) return cells_target(name, ending_of(name), has_text);
-    return cells_target(name, in_small_letters("." + (options.format.empty() ? "vtk" : options.format)), has_text);
+    const bool has_page = options.command != "voronoi";
+    if (name != standard_stream) return cells_target(name, ending_of(name), has_text, has_page);
+    return cells_target(name, in_small_letters("." + (options.format.empty() ? "vtk" : options.format)), has_text,
+                        has_page);
   }
   if (options.command == "section") return drawing_target(name);
   if (options.command == "distance") return trail_target(name);

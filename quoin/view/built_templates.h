@@ -11,5 +11,6 @@ std::string_view built_page_template();
 std::string_view built_picture_template();
 std::string_view built_sphere_template();
 std::string_view built_plan_template();
+std::string_view built_layers_template();
 
 }  // namespace quoin

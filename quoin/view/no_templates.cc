@@ -17,6 +17,9 @@ std::string_view built_sphere_template() {
 std::string_view built_plan_template() {
   return {};
 }
+std::string_view built_layers_template() {
+  return {};
+}
 
 }  // namespace quoin
 #endif

@@ -2,7 +2,6 @@
 #include "quoin/view/page.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "quoin/base/error.h"
@@ -11,6 +10,7 @@
 #include "quoin/view/page_format.h"
 #include "quoin/view/page_text.h"
 #include "quoin/view/scene_check.h"
+#include "quoin/view/scene_frame.h"
 
 namespace quoin {
 
@@ -27,48 +27,12 @@ constexpr std::string_view name_of(ElementType type) {
   return names[static_cast<std::size_t>(type)];
 }
 
-/// Centre and half size of the scene; the size is a power of two, so that dividing by it is exact.
-struct Frame {
-  Point3 center;
-  double scale = 1;
-};
-
-Frame frame_of(const ViewScene& scene) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  Point3 low{infinity, infinity, infinity};
-  Point3 high{-infinity, -infinity, -infinity};
+SceneFrame frame_of(const ViewScene& scene) {
+  SceneBounds bounds;
   for (const ViewPart& part : scene.parts) {
-    for (const Point3& p : part.vertices) {
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        low[axis] = std::min(low[axis], p[axis]);
-        high[axis] = std::max(high[axis], p[axis]);
-      }
-    }
+    for (const Point3& p : part.vertices) bounds.include(p);
   }
-  Frame frame;
-  double half_size = 0;
-  for (std::size_t axis = 0; axis < 3 && low.x <= high.x; ++axis) {
-    frame.center[axis] = low[axis] / 2 + high[axis] / 2;
-    half_size = std::max(half_size, high[axis] / 2 - low[axis] / 2);
-  }
-  if (half_size > 0) {
-    int exponent = 0;
-    std::frexp(half_size, &exponent);
-    frame.scale = std::ldexp(1.0, std::clamp(exponent, -1022, 1023));
-  }
-  return frame;
-}
-
-float relative(double x, double center, double scale) {
-  return static_cast<float>((x - center) / scale);
-}
-
-bool floats_hold(const std::vector<Point3>& vertices, const Frame& frame) {
-  const auto holds = [&](const Point3& p, std::size_t axis) {
-    const double back = frame.center[axis] + frame.scale * double{relative(p[axis], frame.center[axis], frame.scale)};
-    return back == p[axis];
-  };
-  return std::ranges::all_of(vertices, [&](const Point3& p) { return holds(p, 0) && holds(p, 1) && holds(p, 2); });
+  return bounds.frame();
 }
 
 bool floats_hold_planes(const std::vector<ViewFace>& faces) {
@@ -85,7 +49,7 @@ bool has_no_plane(const ViewFace& face) {
 template <class Visit>
 class PartArrays {
  public:
-  PartArrays(const ViewPart& part, const Frame& frame, Visit& visit) : part_(part), frame_(frame), visit_(visit) {}
+  PartArrays(const ViewPart& part, const SceneFrame& frame, Visit& visit) : part_(part), frame_(frame), visit_(visit) {}
 
   void visit_all() {
     visit_geometry();
@@ -114,10 +78,9 @@ class PartArrays {
 
   void visit_geometry() {
     const auto& vertices = part_.vertices;
-    if (floats_hold(vertices, frame_)) {
-      real_array("vertices", ElementType::f32, 3 * vertices.size(), [&](std::size_t i) {
-        return double{relative(vertices[i / 3][i % 3], frame_.center[i % 3], frame_.scale)};
-      });
+    if (frame_.floats_hold(vertices)) {
+      real_array("vertices", ElementType::f32, 3 * vertices.size(),
+                 [&](std::size_t i) { return double{frame_.relative(vertices[i / 3][i % 3], i % 3)}; });
     } else {
       real_array("vertices", ElementType::f64, 3 * vertices.size(),
                  [&](std::size_t i) { return vertices[i / 3][i % 3]; });
@@ -183,12 +146,12 @@ class PartArrays {
   }
 
   const ViewPart& part_;
-  const Frame& frame_;
+  const SceneFrame& frame_;
   Visit& visit_;
 };
 
 template <class Visit>
-void visit_arrays(const ViewPart& part, const Frame& frame, Visit visit) {
+void visit_arrays(const ViewPart& part, const SceneFrame& frame, Visit visit) {
   PartArrays<Visit>(part, frame, visit).visit_all();
 }
 
@@ -288,7 +251,7 @@ class PageWriter {
 
   std::ostream& out_;
   const ViewScene& scene_;
-  Frame frame_;
+  SceneFrame frame_;
   std::size_t header_blocks_ = 0;
   std::size_t blocks_ = 0;
 };

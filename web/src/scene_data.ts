@@ -3,9 +3,9 @@
 
 export type Vec3 = [number, number, number];
 export type Fact = [string, string];
-type Unsigned = Uint8Array | Uint16Array | Uint32Array;
+export type Unsigned = Uint8Array | Uint16Array | Uint32Array;
 
-interface ArrayHeader {
+export interface ArrayHeader {
   type: "u8" | "u16" | "u32" | "f32" | "f64";
   length: number;
   block: number;
@@ -188,7 +188,7 @@ export function originName(scene: SceneData, origin: number): string {
   return scene.origins[origin] || `Input ${origin}`;
 }
 
-function readArray(header: ArrayHeader | undefined) {
+export function readArray(header: ArrayHeader | undefined) {
   if (!header) return undefined;
   const element = document.getElementById(`quoin-block-${header.block}`);
   const bytes = decodeBase64(element?.textContent ?? "");

@@ -194,6 +194,7 @@ int main(int argc, char** argv) {
     write(directory + "/empty.html", ViewScene{.title = "Nothing"});
     write_pictures(directory);
     write_plans(directory);
+    write_layers(directory);
     if (argc > 2 && std::string_view(argv[2]) == "--large") write(directory + "/large.html", ball(708));
   } catch (const Error& error) {
     std::cerr << "view_pages: " << error.what() << '\n';

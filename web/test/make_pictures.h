@@ -9,5 +9,7 @@ namespace quoin {
 void write_pictures(const std::string& directory);
 /// Writes those that plan.test.mjs looks at.
 void write_plans(const std::string& directory);
+/// Writes those that layers.test.mjs looks at.
+void write_layers(const std::string& directory);
 
 }  // namespace quoin

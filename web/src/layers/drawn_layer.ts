@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+// One layer on the graphics device: one draw call, of the elements that have begun; those that have ended, the vertex
+// shader puts outside. Everything is in textures, which are written once: the number of a vertex names its element.
+import * as THREE from "three";
+import type { Unsigned } from "../scene_data";
+import type { Layer } from "./layered_data";
+import { layerFragment, layerVertex } from "./layer_shaders";
+
+const width = 4096;
+const cornersDrawn = { points: 1, segments: 6, triangles: 3 };
+
+/** What all layers share. */
+export interface CloudUniforms {
+  places: { value: THREE.DataTexture };
+  now: { value: number };
+  viewport: { value: THREE.Vector2 };
+  ratio: { value: number };
+}
+
+export function placesTexture(relative: Float32Array): THREE.DataTexture {
+  const count = relative.length / 3;
+  const rows = Math.max(1, Math.ceil(count / width));
+  const data = new Float32Array(4 * width * rows);
+  for (let i = 0; i < count; ++i) data.set(relative.subarray(3 * i, 3 * i + 3), 4 * i);
+  return texture(data, rows, THREE.RGBAFormat, THREE.FloatType, "RGBA32F");
+}
+
+function texture(
+  data: Float32Array | Uint32Array | Uint8Array,
+  rows: number,
+  format: THREE.PixelFormat,
+  type: THREE.TextureDataType,
+  internal: THREE.PixelFormatGPU,
+): THREE.DataTexture {
+  const made = new THREE.DataTexture(data, width, rows, format, type);
+  made.internalFormat = internal;
+  made.needsUpdate = true;
+  made.onUpdate = () => {
+    made.source.data = { data: null, width, height: rows }; // it is on the device now
+  };
+  return made;
+}
+
+function numbers(values: Unsigned): THREE.DataTexture {
+  const rows = Math.max(1, Math.ceil(values.length / width));
+  const data = new Uint32Array(width * rows);
+  data.set(values);
+  return texture(data, rows, THREE.RedIntegerFormat, THREE.UnsignedIntType, "R32UI");
+}
+
+export class DrawnLayer {
+  readonly object: THREE.Object3D;
+  isShown: boolean;
+  private readonly geometry = new THREE.BufferGeometry();
+  private readonly material: THREE.RawShaderMaterial;
+  /** How many have ended, by value. */
+  private readonly ended: Uint32Array | undefined;
+  private begun = 0;
+
+  constructor(
+    readonly layer: Layer,
+    shared: CloudUniforms,
+    valueCount: number,
+    usualSize: number,
+  ) {
+    const { kind, color, ends, colors } = layer;
+    this.isShown = layer.isShown;
+    this.ended = ends && endedByValue(ends, valueCount);
+    const defines: Record<string, string> = { [`IS_${kind.toUpperCase()}`]: "" };
+    const uniforms: Record<string, THREE.IUniform> = {
+      ...shared,
+      vertices: { value: numbers(layer.vertices) },
+      color: { value: new THREE.Vector4(color[0] / 255, color[1] / 255, color[2] / 255, color[3] / 255) },
+      size: { value: layer.size > 0 ? layer.size : usualSize },
+    };
+    if (ends) {
+      defines.HAS_ENDS = "";
+      uniforms.ends = { value: numbers(ends) };
+    }
+    if (colors) {
+      defines.HAS_COLORS = "";
+      const rows = Math.max(1, Math.ceil(layer.count / width));
+      const data = new Uint8Array(4 * width * rows);
+      data.set(colors);
+      uniforms.colors = { value: texture(data, rows, THREE.RGBAFormat, THREE.UnsignedByteType, "RGBA8") };
+    }
+    const isSeenThrough = color[3] < 255 || (colors?.some((c, i) => i % 4 === 3 && c < 255) ?? false);
+    this.material = new THREE.RawShaderMaterial({
+      glslVersion: THREE.GLSL3,
+      vertexShader: layerVertex,
+      fragmentShader: layerFragment,
+      defines,
+      uniforms,
+      side: THREE.DoubleSide,
+      transparent: isSeenThrough,
+      depthWrite: !isSeenThrough,
+    });
+    this.object =
+      kind === "points" ? new THREE.Points(this.geometry, this.material) : new THREE.Mesh(this.geometry, this.material);
+    this.object.frustumCulled = false;
+    this.object.renderOrder = isSeenThrough ? 1 : 0;
+    this.setBegun(layer.count);
+  }
+
+  /** How many elements are there at a value. */
+  countAt(value: number): number {
+    return this.begunAt(value) - (this.ended ? this.ended[value] : 0);
+  }
+
+  begunAt(value: number): number {
+    return this.layer.shown ? (this.layer.shown[value] ?? 0) : this.layer.count;
+  }
+
+  show(value: number): void {
+    this.setBegun(this.begunAt(value));
+  }
+
+  /** At most so many elements, as while the picture moves. */
+  limit(most: number): void {
+    this.geometry.setDrawRange(0, cornersDrawn[this.layer.kind] * Math.min(most, this.begun));
+    this.object.visible = this.isShown && this.begun > 0;
+  }
+
+  isThere(element: number, value: number): boolean {
+    return element < this.begunAt(value) && (this.layer.ends ? this.layer.ends[element] > value : true);
+  }
+
+  private setBegun(count: number): void {
+    this.begun = count;
+    this.limit(count);
+  }
+}
+
+function endedByValue(ends: Unsigned, valueCount: number): Uint32Array {
+  const ended = new Uint32Array(valueCount);
+  for (const end of ends) if (end < valueCount) ++ended[end];
+  for (let i = 1; i < valueCount; ++i) ended[i] += ended[i - 1];
+  return ended;
+}
