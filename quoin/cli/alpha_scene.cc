@@ -14,10 +14,11 @@ namespace quoin::cli {
 namespace {
 
 constexpr std::size_t poll_step = 4096;
-constexpr std::uint32_t most_stops = 1U << 17;
+constexpr std::uint32_t most_stops = 1U << 14;
 constexpr std::size_t most_pairs = std::size_t{1} << 17;
 constexpr std::size_t named_pairs = std::size_t{1} << 12;  // the longest ones, at whose values the page stops
 constexpr std::size_t most_edges_at_first = 200'000;
+constexpr std::size_t most_points_at_first = 100'000;  // where triangles would be hidden under them
 constexpr Color boundary_color{125, 158, 198, 255};
 constexpr Color singular_color{219, 197, 128, 255};
 constexpr Color edge_color{105, 116, 132, 255};
@@ -183,7 +184,26 @@ class AlphaScene {
     SceneLayer& layer = scene_.layers[0];
     for (std::uint32_t v = 0; v < alpha_.complex().count(0); ++v)
       layer.begin.push_back(stops_.of(alpha_.grade_of({0, v})));
-    if (std::ranges::all_of(layer.begin, [](std::uint32_t stop) { return stop == 0; })) layer.begin.clear();
+    if (layer.vertices.size() > most_points_at_first && layer.colors.empty() && alpha_.dimension() >= 2) {
+      SceneLayer bare = layer;
+      bare.name = "Points without triangles";
+      bare.end = first_triangles();
+      scene_.layers.push_back(std::move(bare));
+      scene_.layers[0].is_shown = false;
+    }
+    std::vector<std::uint32_t>& begin = scene_.layers[0].begin;
+    if (std::ranges::all_of(begin, [](std::uint32_t stop) { return stop == 0; })) begin.clear();
+  }
+
+  /// The first stop at which each vertex is one of a triangle.
+  std::vector<std::uint32_t> first_triangles() const {
+    std::vector<std::uint32_t> first(alpha_.complex().count(0), never_in_scene);
+    for (std::uint32_t i = 0; i < alpha_.complex().count(2); ++i) {
+      if (i % poll_step == 0) context_.poll();
+      const std::uint32_t stop = stops_.of(alpha_.grade_of({2, i}));
+      for (const std::uint32_t v : alpha_.complex().vertices({2, i})) first[v] = std::min(first[v], stop);
+    }
+    return first;
   }
 
   /// `life(interval)`: the grades with which a simplex is drawn and no more drawn.

@@ -40,7 +40,6 @@ export class CloudView {
     this.stage = new Stage(this.element, elements <= mostForSmoothEdges);
     this.shared = {
       places: { value: placesTexture(data.relative) },
-      now: { value: 0 },
       viewport: this.stage.shared.viewport as { value: THREE.Vector2 },
       ratio: { value: this.stage.renderer.getPixelRatio() },
     };
@@ -71,7 +70,6 @@ export class CloudView {
 
   show(value: number): void {
     this.value = value;
-    this.shared.now.value = value;
     for (const layer of this.layers) layer.show(value);
     this.thin();
     this.stage.invalidate();
@@ -171,7 +169,7 @@ export class CloudView {
       const most = mostWhileMoving[kind];
       if (!this.isThin) drawn.limit(Infinity);
       else if (kind === "points") drawn.limit(most);
-      else drawn.limit(drawn.begunAt(this.value) > most ? 0 : Infinity);
+      else drawn.limit(drawn.countAt(this.value) > most ? 0 : Infinity);
     }
   }
 

@@ -31,13 +31,15 @@ export class Diagram {
     private readonly data: LayeredData,
     private readonly axis: ValueAxis,
     private readonly choose: (value: number) => void,
+    private readonly rescaled: () => void,
   ) {
     const { pairs, pairsLeftOut } = data;
-    const length = (i: number) => (pairs.death[i] === never ? Infinity : this.part(pairs.death[i]) - this.part(pairs.birth[i]));
+    const read = (index: number) => this.axis.read(this.data.values[index]);
+    const length = (i: number) => (pairs.death[i] === never ? Infinity : read(pairs.death[i]) - read(pairs.birth[i]));
     const lengths = Float64Array.from({ length: pairs.count }, (_, i) => length(i));
     this.order = Uint32Array.from({ length: pairs.count }, (_, i) => i).sort((a, b) => (lengths[b] > lengths[a] ? 1 : lengths[b] < lengths[a] ? -1 : a - b));
     const left = pairsLeftOut > 0 ? `, without ${pairsLeftOut.toLocaleString("en").replaceAll(",", " ")} short ones` : "";
-    this.element.append(el("h2", {}, `Persistence: ${pairs.count.toLocaleString("en").replaceAll(",", " ")} classes${left}`), this.key, this.canvas, this.told);
+    this.element.append(el("h2", {}, `Persistence: ${pairs.count.toLocaleString("en").replaceAll(",", " ")} classes${left}`), this.scale(), this.key, this.canvas, this.told);
     this.canvas.addEventListener("pointermove", (event) => this.hover(event));
     this.canvas.addEventListener("pointerleave", () => this.setHovered(undefined));
     this.canvas.addEventListener("click", (event) => this.click(event));
@@ -69,6 +71,24 @@ export class Diagram {
     return { x: box.left + x, y: box.top + y };
   }
 
+  /** Evenly or by logarithms. */
+  private scale(): HTMLElement {
+    const segments = el("div", { class: "scale segments" });
+    const buttons = ["Even", "Log"].map((text, isLog) => {
+      const button = el("button", { type: "button", "aria-pressed": `${this.axis.isLog === (isLog === 1)}` }, text);
+      button.addEventListener("click", () => {
+        this.axis.isLog = isLog === 1;
+        buttons.forEach((other, i) => other.setAttribute("aria-pressed", `${this.axis.isLog === (i === 1)}`));
+        this.drawStill();
+        this.rescaled();
+      });
+      return button;
+    });
+    segments.append(...buttons);
+    segments.hidden = !this.axis.canBeLog;
+    return segments;
+  }
+
   private get side(): { width: number; height: number } {
     const { clientWidth, clientHeight } = this.canvas;
     return { width: clientWidth - margin.left - margin.right, height: clientHeight - margin.top - margin.bottom };
@@ -79,7 +99,7 @@ export class Diagram {
   }
 
   private x(part: number): number {
-    return margin.left + this.side.width * Math.min(1, part);
+    return margin.left + this.side.width * Math.min(1, Math.max(0, part));
   }
 
   private y(part: number): number {
@@ -151,7 +171,7 @@ export class Diagram {
       pen.stroke();
     };
     for (const tick of this.axis.ticks()) {
-      const part = (tick - this.axis.low) / (this.axis.high - this.axis.low);
+      const part = this.axis.partOf(tick);
       const text = String(Number(tick.toPrecision(3))).replace("-", "−");
       line(this.x(part), bottom, this.x(part), this.y(part));
       line(left, this.y(part), this.x(part), this.y(part));
@@ -254,12 +274,11 @@ export class Diagram {
     const { birth, death, degree } = this.data.pairs;
     const { values } = this.data;
     const at = (index: number) => {
-      const value = values[index];
-      return this.axis.isRoot ? this.axis.text(this.axis.place(value)) : this.axis.text(value);
+      return this.axis.text(this.axis.read(values[index]));
     };
     const dies = death[pair] !== never;
     const middle = () => {
-      const half = (this.axis.place(values[birth[pair]]) + this.axis.place(values[death[pair]])) / 2;
+      const half = (this.axis.read(values[birth[pair]]) + this.axis.read(values[death[pair]])) / 2;
       this.choose(Math.max(birth[pair], this.axis.indexOf(this.axis.value(half))));
     };
     const button = (text: string, run: () => void) => el("button", { type: "button", onclick: run }, text);

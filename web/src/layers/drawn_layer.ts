@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// One layer on the graphics device: one draw call, of the elements that have begun; those that have ended, the vertex
-// shader puts outside. Everything is in textures, which are written once: the number of a vertex names its element.
+// One layer on the graphics device: one draw call. What it holds is in textures, which are written once: the number of
+// a vertex names its element. Drawn are the first elements, which have begun; of layers whose elements end, those that
+// have not, by an index that is written when the value changes.
 import * as THREE from "three";
 import type { Unsigned } from "../scene_data";
 import type { Layer } from "./layered_data";
@@ -12,7 +13,6 @@ const cornersDrawn = { points: 1, segments: 6, triangles: 3 };
 /** What all layers share. */
 export interface CloudUniforms {
   places: { value: THREE.DataTexture };
-  now: { value: number };
   viewport: { value: THREE.Vector2 };
   ratio: { value: number };
 }
@@ -55,7 +55,8 @@ export class DrawnLayer {
   private readonly material: THREE.RawShaderMaterial;
   /** How many have ended, by value. */
   private readonly ended: Uint32Array | undefined;
-  private begun = 0;
+  private readonly index: THREE.BufferAttribute | undefined;
+  private drawn = 0;
 
   constructor(
     readonly layer: Layer,
@@ -73,10 +74,6 @@ export class DrawnLayer {
       color: { value: new THREE.Vector4(color[0] / 255, color[1] / 255, color[2] / 255, color[3] / 255) },
       size: { value: layer.size > 0 ? layer.size : usualSize },
     };
-    if (ends) {
-      defines.HAS_ENDS = "";
-      uniforms.ends = { value: numbers(ends) };
-    }
     if (colors) {
       defines.HAS_COLORS = "";
       const rows = Math.max(1, Math.ceil(layer.count / width));
@@ -99,7 +96,14 @@ export class DrawnLayer {
       kind === "points" ? new THREE.Points(this.geometry, this.material) : new THREE.Mesh(this.geometry, this.material);
     this.object.frustumCulled = false;
     this.object.renderOrder = isSeenThrough ? 1 : 0;
-    this.setBegun(layer.count);
+    if (ends && this.ended) {
+      let most = 0;
+      for (let value = 0; value < valueCount; ++value) most = Math.max(most, this.countAt(value));
+      this.index = new THREE.BufferAttribute(new Uint32Array(Math.max(1, cornersDrawn[kind] * most)), 1);
+      this.index.setUsage(THREE.DynamicDrawUsage);
+      this.geometry.setIndex(this.index);
+    }
+    this.limit(Infinity);
   }
 
   /** How many elements are there at a value. */
@@ -112,22 +116,36 @@ export class DrawnLayer {
   }
 
   show(value: number): void {
-    this.setBegun(this.begunAt(value));
+    if (this.index && this.layer.ends) this.drawn = this.writeIndex(this.index, this.layer.ends, value);
+    else this.drawn = this.begunAt(value);
+    this.limit(Infinity);
   }
 
   /** At most so many elements, as while the picture moves. */
   limit(most: number): void {
-    this.geometry.setDrawRange(0, cornersDrawn[this.layer.kind] * Math.min(most, this.begun));
-    this.object.visible = this.isShown && this.begun > 0;
+    this.geometry.setDrawRange(0, cornersDrawn[this.layer.kind] * Math.min(most, this.drawn));
+    this.object.visible = this.isShown && this.drawn > 0 && most > 0;
   }
 
   isThere(element: number, value: number): boolean {
     return element < this.begunAt(value) && (this.layer.ends ? this.layer.ends[element] > value : true);
   }
 
-  private setBegun(count: number): void {
-    this.begun = count;
-    this.limit(count);
+  /** The elements that are there; returns how many they are. */
+  private writeIndex(index: THREE.BufferAttribute, ends: Unsigned, value: number): number {
+    if (!this.isShown) return 0;
+    const list = index.array as Uint32Array;
+    const corners = cornersDrawn[this.layer.kind];
+    const begun = this.begunAt(value);
+    let at = 0;
+    for (let i = 0; i < begun; ++i) {
+      if (ends[i] <= value) continue;
+      for (let k = 0; k < corners; ++k) list[at++] = corners * i + k;
+    }
+    index.clearUpdateRanges();
+    index.addUpdateRange(0, at);
+    index.needsUpdate = true;
+    return at / corners;
   }
 }
 

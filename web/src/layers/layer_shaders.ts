@@ -9,14 +9,10 @@ uniform mat4 modelViewMatrix;
 uniform mat4 projectionMatrix;
 uniform sampler2D places;
 uniform usampler2D vertices;
-uniform uint now;
 uniform vec2 viewport;
 uniform float ratio;
 uniform float size;
 uniform vec4 color;
-#ifdef HAS_ENDS
-uniform usampler2D ends;
-#endif
 #ifdef HAS_COLORS
 uniform sampler2D colors;
 #endif
@@ -36,13 +32,6 @@ void main() {
   int element = gl_VertexID / 6;
 #else
   int element = gl_VertexID / 3;
-#endif
-#ifdef HAS_ENDS
-  if (texelFetch(ends, cell(element), 0).r <= now) {
-    gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
-    gl_PointSize = 0.0;
-    return;
-  }
 #endif
   tint = color;
 #ifdef HAS_COLORS

@@ -16,7 +16,7 @@ import { ValueControls } from "./value_controls";
 
 const clickReach = 4; // pixels that the pointer may move during a click
 const narrow = 760;
-const longClass = 0.1; // of the axis
+const longClass = 0.2; // of the longest of any degree
 
 /** What tests, and people at the console, may ask of the page. */
 export interface LayersHook extends PageHook {
@@ -56,7 +56,7 @@ export class LayersPage {
     frame.append(el("div", { class: "heading" }, el("h1", {}, data.title || "Quoin"), el("p", {}, said)));
     if (!this.view.isFlat) frame.append(this.gizmo());
     frame.append(this.card, this.side);
-    if (data.pairs.count > 0) this.diagram = new Diagram(data, this.axis, (value) => this.choose(value));
+    if (data.pairs.count > 0) this.diagram = new Diagram(data, this.axis, (value) => this.choose(value), () => this.show(this.value));
     if (data.values.length > 1) {
       this.controls = new ValueControls(data, this.axis, (value) => this.show(value));
       frame.append(el("div", { class: "below" }, this.controls.element));
@@ -100,10 +100,10 @@ export class LayersPage {
     for (let pair = 0; pair < pairs.count; ++pair) {
       const degree = pairs.degree[pair];
       if (degree === 0 || pairs.death[pair] === never) continue;
-      const length = this.axis.part(values[pairs.death[pair]]) - this.axis.part(values[pairs.birth[pair]]);
+      const length = this.axis.read(values[pairs.death[pair]]) - this.axis.read(values[pairs.birth[pair]]);
       if (!(length <= (best[degree]?.length ?? 0))) best[degree] = { pair, length };
     }
-    const found = best.filter((one) => one && one.length > longClass).pop();
+    const found = best.filter((one) => one && one.length > longClass * Math.max(...best.map((other) => other?.length ?? 0))).pop();
     return found ? pairs.birth[found.pair] : Math.max(0, values.length - 1);
   }
 

@@ -40,9 +40,9 @@ export class ValueControls {
     if (document.activeElement !== this.slider && !this.isPlaying) {
       this.slider.value = `${isLast ? everything : Math.round(steps * Math.min(1, part))}`;
     }
-    this.slider.setAttribute("aria-valuetext", this.axis.text(this.axis.place(exact)));
+    this.slider.setAttribute("aria-valuetext", this.axis.text(this.axis.read(exact)));
     for (const { input, isRoot } of this.fields) {
-      input.value = this.axis.text(isRoot ? this.axis.place(exact) : exact);
+      input.value = this.axis.text(isRoot ? this.axis.read(exact) : exact);
       input.removeAttribute("aria-invalid");
     }
   }
@@ -84,8 +84,8 @@ export class ValueControls {
     }
     // What was rounded for reading means the value itself.
     const exact = this.data.values[this.value];
-    const isSame = this.axis.text(isRoot ? this.axis.place(exact) : exact) === this.axis.text(given);
-    if (!isSame) this.choose(Math.max(0, this.axis.indexOf(isRoot ? given * Math.abs(given) : given)));
+    const isSame = this.axis.text(isRoot ? this.axis.read(exact) : exact) === this.axis.text(given);
+    if (!isSame) this.choose(Math.max(0, this.axis.indexOf(isRoot ? this.axis.value(given) : given)));
     else this.setValue(this.value);
   }
 
