@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -15,8 +16,9 @@ namespace {
 
 constexpr std::size_t poll_step = 4096;
 constexpr std::uint32_t most_stops = 1U << 14;
+constexpr int spread_values = 512;
 constexpr std::size_t most_pairs = std::size_t{1} << 17;
-constexpr std::size_t named_pairs = std::size_t{1} << 12;  // the longest ones, at whose values the page stops
+constexpr std::size_t named_pairs = std::size_t{1} << 11;  // the longest ones, at whose values the page stops
 constexpr std::size_t most_edges_at_first = 200'000;
 constexpr std::size_t most_points_at_first = 100'000;  // where triangles would be hidden under them
 constexpr Color boundary_color{125, 158, 198, 255};
@@ -38,6 +40,13 @@ std::vector<Grades> pairs_of(const AlphaComplex& alpha, const Context& context) 
                      dies ? filtration.grade_of({pair.degree + 1, pair.death}) : never_in_scene});
   }
   return pairs;
+}
+
+/// With four digits.
+std::string short_text(double value) {
+  std::array<char, 32> text;
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 4).ptr;
+  return {text.data(), end};
 }
 
 class AlphaScene {
@@ -96,17 +105,31 @@ class AlphaScene {
     pairs = std::move(sorted);
   }
 
+  /// Grades at which a page of few stops stops too: of the longest pairs, and far apart as values go.
+  std::vector<std::uint32_t> wanted(const std::vector<Grades>& pairs) const {
+    std::vector<std::uint32_t> grades;
+    for (std::size_t i = 0; i < std::min(named_pairs, pairs.size()); ++i)
+      grades.insert(grades.end(), {pairs[i].birth, pairs[i].death});
+    const double low = alpha_.value(alpha_.grade_count() / 100);
+    const double high = std::min(alpha_.value(alpha_.grade_count() - 1), std::numeric_limits<double>::max());
+    if (!(low > 0) || !(high > low)) return grades;
+    for (int i = 0; i <= spread_values; ++i) {
+      const double value = low * std::pow(high / low, i / double{spread_values});
+      if (std::isfinite(value)) grades.push_back(std::max(1U, alpha_.grades_up_to(value)) - 1);
+    }
+    return grades;
+  }
+
   void choose_stops(std::vector<Grades>& pairs, std::optional<std::uint32_t> shown) {
     const std::uint32_t grades = alpha_.grade_count();
-    std::vector<std::uint32_t> wanted;
-    if (shown && *shown > 0) wanted.push_back(*shown - 1);
+    std::vector<std::uint32_t> also;
     if (grades > most_stops) {
       const ValueStops even(grades, most_stops);
       put_longest_first(pairs, named_pairs, even, values_at(even));
-      for (std::size_t i = 0; i < std::min(named_pairs, pairs.size()); ++i)
-        wanted.insert(wanted.end(), {pairs[i].birth, pairs[i].death});
+      also = wanted(pairs);
     }
-    stops_ = ValueStops(grades, most_stops, wanted);
+    if (shown && *shown > 0) also.push_back(*shown - 1);
+    stops_ = ValueStops(grades, most_stops, also);
     scene_.values = values_at(stops_);
     if (shown && *shown > 0) scene_.value = stops_.of(*shown - 1);
     if (stops_.count() < grades) {
@@ -158,26 +181,49 @@ class AlphaScene {
     scene_.pairs_left_out = pairs.size() - scene_.pairs.size();
   }
 
-  void add_layers() {
-    const int d = alpha_.dimension();
-    add_points();
-    if (d >= 3) {
-      add("Boundary", SceneLayer::Kind::triangles, boundary_color, [](const AlphaInterval& i) {
-        return std::pair{i.regular, i.interior};
-      });
-      add("Singular triangles", SceneLayer::Kind::triangles, singular_color, [](const AlphaInterval& i) {
-        return std::pair{i.singular, i.regular};
-      });
-    } else if (d == 2) {
-      add("Triangles", SceneLayer::Kind::triangles, boundary_color, [](const AlphaInterval& i) {
-        return std::pair{i.singular, never_in_scene};
-      });
+  /// A layer of simplices, with the grades with which one is drawn and no more drawn.
+  struct Plan {
+    std::string name;
+    SceneLayer::Kind kind;
+    Color color;
+    std::pair<std::uint32_t, std::uint32_t> (*life)(const AlphaInterval&);
+  };
+
+  std::vector<Plan> plans() const {
+    using Kind = SceneLayer::Kind;
+    const auto as_it_enters = [](const AlphaInterval& i) { return std::pair{i.singular, never_in_scene}; };
+    std::vector<Plan> all;
+    if (alpha_.dimension() == 3) {
+      all.push_back({"Boundary", Kind::triangles, boundary_color, [](const AlphaInterval& i) {
+                       return std::pair{i.regular, i.interior};
+                     }});
+      all.push_back({"Singular triangles", Kind::triangles, singular_color, [](const AlphaInterval& i) {
+                       return std::pair{i.singular, i.regular};
+                     }});
+      all.push_back({"Edges that are not inside", Kind::segments, edge_color, [](const AlphaInterval& i) {
+                       return std::pair{i.singular, i.interior};
+                     }});
     }
-    if (d == 0) return;
-    add(d == 3 ? "Edges that are not inside" : "Edges", SceneLayer::Kind::segments, edge_color,
-        [&](const AlphaInterval& i) {
-          return std::pair{i.singular, d == 3 ? i.interior : never_in_scene};
-        });
+    if (alpha_.dimension() == 2) all.push_back({"Triangles", Kind::triangles, boundary_color, as_it_enters});
+    if (alpha_.dimension() == 2 || alpha_.dimension() == 1)
+      all.push_back({"Edges", Kind::segments, edge_color, as_it_enters});
+    return all;
+  }
+
+  void add_layers() {
+    for (const Plan& plan : plans()) add(plan);
+    add_points();
+  }
+
+  /// Simplices that are there at some stop, with the stops of their life.
+  template <class Visit>
+  void for_each(const Plan& plan, const Visit& visit) const {
+    const int k = static_cast<int>(plan.kind);
+    for (std::uint32_t i = 0; i < alpha_.complex().count(k); ++i) {
+      if (i % poll_step == 0) context_.poll();
+      const auto [from, to] = plan.life(intervals_.of({k, i}));
+      if (from != never_in_scene && stop_of(from) < stop_of(to)) visit(i, stop_of(from), stop_of(to));
+    }
   }
 
   void add_points() {
@@ -188,67 +234,60 @@ class AlphaScene {
       SceneLayer bare = layer;
       bare.name = "Points without triangles";
       bare.end = first_triangles();
-      scene_.layers.push_back(std::move(bare));
+      scene_.layers.insert(scene_.layers.begin() + 1, std::move(bare));
       scene_.layers[0].is_shown = false;
     }
     std::vector<std::uint32_t>& begin = scene_.layers[0].begin;
     if (std::ranges::all_of(begin, [](std::uint32_t stop) { return stop == 0; })) begin.clear();
   }
 
-  /// The first stop at which each vertex is one of a triangle.
+  /// The first stop at which each vertex is one of a triangle that is drawn.
   std::vector<std::uint32_t> first_triangles() const {
     std::vector<std::uint32_t> first(alpha_.complex().count(0), never_in_scene);
     for (std::uint32_t i = 0; i < alpha_.complex().count(2); ++i) {
       if (i % poll_step == 0) context_.poll();
-      const std::uint32_t stop = stops_.of(alpha_.grade_of({2, i}));
+      const std::uint32_t stop = std::max(triangles_from_, stops_.of(alpha_.grade_of({2, i})));
       for (const std::uint32_t v : alpha_.complex().vertices({2, i})) first[v] = std::min(first[v], stop);
     }
     return first;
   }
 
-  /// `life(interval)`: the grades with which a simplex is drawn and no more drawn.
-  template <class Life>
-  void add(const std::string& name, SceneLayer::Kind kind, Color color, const Life& life) {
-    const int k = static_cast<int>(kind);
-    SceneLayer layer{.name = name, .kind = kind, .color = color};
-    std::vector<std::uint32_t> entering(stops_.count(), 0);
-    const auto each = [&](const auto& visit) {
-      for (std::uint32_t i = 0; i < alpha_.complex().count(k); ++i) {
-        if (i % poll_step == 0) context_.poll();
-        const auto [from, to] = life(intervals_.of({k, i}));
-        if (from != never_in_scene && stop_of(from) < stop_of(to)) visit(i, stop_of(from), stop_of(to));
-      }
-    };
-    each([&](std::uint32_t, std::uint32_t begin, std::uint32_t) { ++entering[begin]; });
-    const std::uint32_t last = last_drawn(name, entering);
+  void add(const Plan& plan) {
+    SceneLayer layer{.name = plan.name, .kind = plan.kind, .color = plan.color};
+    const int k = static_cast<int>(plan.kind);
+    const std::uint32_t first = first_drawn(plan);
     bool has_ends = false;
-    each([&](std::uint32_t i, std::uint32_t begin, std::uint32_t end) {
-      if (begin >= last) return;
+    for_each(plan, [&](std::uint32_t i, std::uint32_t begin, std::uint32_t end) {
+      if (end <= first) return;
       const auto vertices = alpha_.complex().vertices({k, i});
       layer.vertices.insert(layer.vertices.end(), vertices.begin(), vertices.end());
-      layer.begin.push_back(begin);
+      layer.begin.push_back(std::max(begin, first));
       layer.end.push_back(end);
       has_ends = has_ends || end != never_in_scene;
     });
     if (!has_ends) layer.end.clear();
     if (k == 1) layer.is_shown = layer.begin.size() <= most_edges_at_first;
+    if (k == 2) triangles_from_ = std::max(triangles_from_, first);
     if (!layer.vertices.empty()) scene_.layers.push_back(std::move(layer));
   }
 
-  /// The stop from which on elements are left out, so that no more are drawn than may be.
-  std::uint32_t last_drawn(const std::string& name, const std::vector<std::uint32_t>& entering) {
-    std::size_t sum = 0;
-    for (std::uint32_t s = 0; s < entering.size(); ++s) {
-      if (sum + entering[s] > most_drawn) {
-        const std::size_t all = std::accumulate(entering.begin(), entering.end(), std::size_t{0});
-        const std::string from = std::to_string(scene_.values[s]);
-        scene_.facts.emplace_back(
-            "Not in this page", std::to_string(all - sum) + " of " + name + ", which enter from value " + from + " on");
-        return s;
-      }
-      sum += entering[s];
+  /// The stop from which on a layer is drawn: the first such that no more simplices are there then or later than may
+  /// be.
+  std::uint32_t first_drawn(const Plan& plan) {
+    std::vector<std::size_t> ending(stops_.count() + 1, 0);  // the last: those that never end
+    for_each(plan, [&](std::uint32_t, std::uint32_t, std::uint32_t end) { ++ending[std::min(end, stops_.count())]; });
+    std::uint32_t first = stops_.count();
+    std::size_t sum = ending[first];
+    if (sum <= most_drawn) {
+      while (first > 0 && sum + ending[first - 1] <= most_drawn) sum += ending[--first];
+      first = first > 0 ? first - 1 : 0;  // those that end at `first` are no more there
     }
-    return stops_.count();
+    if (first == stops_.count()) {
+      scene_.facts.emplace_back("Not in this page", plan.name + ": too many");
+    } else if (first > 0) {
+      scene_.facts.emplace_back(plan.name, "from value " + short_text(scene_.values[first]) + " on");
+    }
+    return first;
   }
 
   const AlphaComplex& alpha_;
@@ -257,6 +296,7 @@ class AlphaScene {
   bool is_weighted_;
   LayeredScene scene_;
   ValueStops stops_;
+  std::uint32_t triangles_from_ = 0;  // the first stop at which triangles are drawn
 };
 
 }  // namespace

@@ -15,8 +15,8 @@
 
 namespace quoin::cli {
 
-/// A page holds no more triangles, nor edges, than this of points.
-inline constexpr std::size_t most_drawn = std::size_t{1} << 21;
+/// A layer of a page of points holds no more triangles, nor edges.
+inline constexpr std::size_t most_drawn = std::size_t{5} << 19;
 
 /// The scene with the points of a file that are vertices, with their numbers, and a layer of them with their colours.
 LayeredScene scene_of_points(const PointFile& file, std::span<const std::uint32_t> first_input);
@@ -24,8 +24,8 @@ LayeredScene scene_of_points(const PointFile& file, std::span<const std::uint32_
 /// All alpha complexes of points by value: boundaries, singular triangles, edges, points; how many simplices there are,
 /// Betti numbers, and the persistence diagram. `shown` is the number of grades of the complex that is shown first.
 ///
-/// Where there are many values the page stops at some of them; Betti numbers and counts are exact at each. Of many
-/// triangles or edges those that enter late are left out; a fact says so.
+/// Where there are many values the page stops at some of them; what it shows at each is exact. Layers of
+/// very many triangles or edges are drawn from some value on; a fact says so.
 /// @throws Cancelled
 LayeredScene scene_of_alpha(const AlphaPoints& points, const AlphaIntervals& intervals,
                             std::optional<std::uint32_t> shown, const PointFile& file, const Context& context);

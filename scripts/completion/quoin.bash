@@ -23,8 +23,9 @@ hull minkowski erode decompose gaussian-map distance width homology persistence 
       case "${COMP_WORDS[1]}" in
         arrange | overlay | locate | gaussian-map) formats="svg html" ;;
         assembly) formats="json html" ;;
-        delaunay | voronoi | flow) formats="vtk ply obj off" ;;
-        alpha) formats="vtk ply obj off txt" ;;
+        delaunay) formats="vtk ply obj off html" ;;
+        voronoi | flow) formats="vtk ply obj off" ;;
+        alpha) formats="vtk ply obj off html txt" ;;
         polygon) formats="wkt geojson dxf svg html" ;;
       esac
       mapfile -t COMPREPLY < <(compgen -W "$formats" -- "$word")

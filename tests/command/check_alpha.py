@@ -3,9 +3,12 @@
 
     check_alpha.py QUOIN
 """
+import base64
 import itertools
+import json
 import math
 import random
+import struct
 from fractions import Fraction
 
 from clouds import CUBE, cloud, read_vtk, text_of
@@ -267,13 +270,74 @@ class Graphs(CommandTest):
         self.assertEqual(self.json_of("alpha", "-", "--graph", "gabriel", stdin="1 1\n")["edges"], 0)
 
 
+class Pages(CommandTest):
+    """What a page holds; tests of the view look at it."""
+
+    def page(self, *words, stdin):
+        done = self.run_quoin(*words, "-o", "p.html", stdin=stdin, code=None)
+        if "was not built" in done.stderr:
+            self.skipTest("without the view")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        text = self.read("p.html").decode()
+        header = json.loads(text.split('id="quoin-layers">')[1].split("</script>")[0])
+
+        def array(told):
+            data = text.split(f'id="quoin-block-{told["block"]}">')[1].split("</script>")[0]
+            code = {"u8": "B", "u16": "H", "u32": "I", "f32": "f", "f64": "d"}[told["type"]]
+            return struct.unpack(f"<{told['length']}{code}", base64.b64decode(data))
+        return header, array
+
+    def test_every_value_has_its_complex(self):
+        for points, dimension in ((cloud(40, 3), 3), (cloud(30, 2, grid=6), 2), (CUBE, 3)):
+            text = text_of(points)
+            values = self.json_of("alpha", "-", "--values", "--exact", stdin=text)
+            header, array = self.page("alpha", "-", stdin=text)
+            self.assertEqual(list(array(header["values"])), values["values"])
+            counts = {c["name"]: [array(r["at"]) for r in c["rows"]] for c in header["counts"]}
+            pairs = array(header["pairs"])
+            pairs = list(zip(pairs[0::3], pairs[1::3], pairs[2::3]))
+            shown = {layer["name"]: layer for layer in header["layers"]}
+            for at in range(0, len(values["values"]), 7):
+                shape = self.json_of("alpha", "-", "--value", values["exact_values"][at], stdin=text)["shape"]
+                self.assertEqual([row[at] for row in counts["Simplices"]], shape["simplices"])
+                betti = [sum(1 for d, b, e in pairs if d == k and b <= at < e) for k in range(dimension)]
+                self.assertEqual([row[at] for row in counts["Betti numbers"]], shape["betti"][:dimension])
+                self.assertEqual(betti, shape["betti"][:dimension])
+                triangles = {"Boundary": "regular", "Singular triangles": "singular"} if dimension == 3 else {}
+                for name, place in triangles.items():
+                    layer = shown.get(name)
+                    begun = array(layer["shown"])[at] if layer else 0
+                    ends = array(layer["ends"])[:begun] if layer and "ends" in layer else [len(values["values"])] * begun
+                    self.assertEqual(sum(1 for end in ends if end > at), shape[place][2], (name, at))
+
+    def test_it_opens_at_the_value(self):
+        text = text_of(cloud(20, 3))
+        value = self.json_of("alpha", "-", "--values", "--exact", stdin=text)["exact_values"][9]
+        self.assertEqual(self.page("alpha", "-", "--value", value, stdin=text)[0]["value"], 9)
+        self.assertNotIn("value", self.page("alpha", "-", stdin=text)[0])
+
+    def test_graphs_triangulations_and_few_points(self):
+        header, array = self.page("alpha", "-", "--graph", "spanning-tree", stdin="0 0\n3 4\n3 0\n0 0\n")
+        self.assertEqual([(layer["kind"], layer["vertices"]["length"]) for layer in header["layers"]], [("points", 3), ("segments", 4)])
+        self.assertEqual(sorted(array(header["pointNumbers"])), [0, 1, 2])
+        header, array = self.page("delaunay", "-", stdin=text_of([p + (10, 20, 30) for p in CUBE]))
+        self.assertEqual({layer["name"]: layer["vertices"]["length"] for layer in header["layers"]}["Hull"], 36)
+        self.assertEqual(array(header["layers"][0]["colors"])[:4], (10, 20, 30, 255))
+        for text in ("1 2 3\n", "1 2\n", "0 0 0\n1 1 1\n3 3 3\n", "0 0 1\n1 0 1\n0 1 1\n1 1 1\n"):
+            for command in ("alpha", "delaunay"):
+                self.assertGreater(len(self.page(command, "-", stdin=text)[0]["layers"]), 0)
+        weighted = text_of([(0, 0, 4), (1, 0, 1), (5, 5, -2)])
+        self.assertLess(min(self.page("alpha", "-", "--weighted", stdin=weighted)[1](
+            self.page("alpha", "-", "--weighted", stdin=weighted)[0]["values"])), 0)
+
+
 class Mistakes(CommandTest):
     def test_usage(self):
         for words in (["--value", "1", "--radius", "1"], ["--value", "1", "--pieces", "1"], ["--value", "x"],
                       ["--value", "nan"], ["--value", "-1"], ["--value", "1,2"], ["--value", "1/0"], ["--radius", "-1"],
                       ["--radius", "inf"], ["--pieces", "0"], ["--pieces", "-1"], ["--pieces", "1.5"], ["--graph", "delaunay"],
                       ["--graph", "gabriel", "--weighted"], ["--graph", "gabriel", "--value", "1"],
-                      ["--graph", "gabriel", "-o", "x.off"], ["-o", "x.stl"], ["-o", "x.html"], ["-o", "-", "--format", "stl"],
+                      ["--graph", "gabriel", "-o", "x.off"], ["-o", "x.stl"], ["-o", "-", "--format", "stl"],
                       ["--persistence", "--value", "1"], ["--persistence", "--graph", "gabriel"], ["--prime", "2"],
                       ["--barcode"], ["--persistence", "--prime", "4"], ["--persistence", "-o", "x.txt"],
                       ["--persistence", "-o", "-", "--format", "vtk"], ["-o", "x.svg"], ["--memory", "0"], ["--input-format", "las"], ["--format", "vtk"]):

@@ -186,11 +186,12 @@ class Formats(CommandTest):
             self.assertRegex(done.stderr, r"8 points need about \d+ MB of memory, more than --memory allows")
             self.run_quoin(command, "c.xyz", "--memory", "100")
             for mistake in (["--memory", "0"], ["--memory", "x"], ["--input-format", "las"], ["-o", "x.stl"],
-                            ["-o", "x.html"], ["-o", "x.qsolid"], ["-o", "x"], ["--format", "vtk"],
+                            ["-o", "x.qsolid"], ["-o", "x"], ["--format", "vtk"],
                             ["-o", "-", "--format", "stl"], ["-o", "x.vtk", "--format", "vtk"]):
                 self.run_quoin(command, "missing.xyz", *mistake, code=USAGE)
             self.assertIn("not welded", self.json_of(command, "c.xyz", "--weld", "1")["warnings"][0])
         self.run_quoin("voronoi", "missing.xyz", "--exact", code=USAGE)
+        self.run_quoin("voronoi", "missing.xyz", "-o", "x.html", code=USAGE)
 
     def test_interruption(self):
         self.write("large.xyz", text_of(cloud(200000, 3)))

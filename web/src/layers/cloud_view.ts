@@ -7,8 +7,8 @@ import type { LayeredData } from "./layered_data";
 
 const reach = 9; // pixels
 const slowFrame = 80; // milliseconds; beyond it fewer elements are drawn while the picture moves
-const mostWhileMoving = { points: 100_000, segments: 60_000, triangles: 400_000 };
-const mostForSmoothEdges = 1_000_000; // elements
+const mostWhileMoving = { points: 60_000, segments: 30_000, triangles: 150_000 };
+const mostForSmoothEdges = 300_000; // elements
 
 export interface PickedPoint {
   layer: number;
@@ -44,7 +44,7 @@ export class CloudView {
       ratio: { value: this.stage.renderer.getPixelRatio() },
     };
     this.layers = data.layers.map((layer) => new DrawnLayer(layer, this.shared, data.values.length, usualSize(layer.kind, layer.count)));
-    this.stage.scene.add(...this.layers.map((layer) => layer.object));
+    for (const layer of this.layers) this.stage.scene.add(layer.object);
     const box = boxOf(data.relative);
     const size = box.getSize(new THREE.Vector3());
     this.isFlat = size.z === 0 && data.pointCount > 0;
