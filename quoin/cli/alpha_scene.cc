@@ -276,6 +276,7 @@ class AlphaScene {
   std::uint32_t first_drawn(const Plan& plan) {
     std::vector<std::size_t> ending(stops_.count() + 1, 0);  // the last: those that never end
     for_each(plan, [&](std::uint32_t, std::uint32_t, std::uint32_t end) { ++ending[std::min(end, stops_.count())]; });
+    const std::size_t most_drawn = plan.kind == SceneLayer::Kind::triangles ? most_triangles_drawn : most_edges_drawn;
     std::uint32_t first = stops_.count();
     std::size_t sum = ending[first];
     if (sum <= most_drawn) {

@@ -69,8 +69,8 @@ LayeredScene scene_of_triangulation(const TriangulatedPoints& made, const PointF
   if (made.dimension > 0) {
     const auto edges = edges_of(made, context);
     scene.facts.emplace_back("Edges", std::to_string(edges.size()));
-    if (edges.size() > most_drawn) scene.facts.emplace_back("Not in this page", "the edges: too many");
-    if (edges.size() <= most_drawn) {
+    if (edges.size() > most_edges_drawn) scene.facts.emplace_back("Not in this page", "the edges: too many");
+    if (edges.size() <= most_edges_drawn) {
       for (const auto& edge : edges) lines.vertices.insert(lines.vertices.end(), edge.begin(), edge.end());
     }
     lines.is_shown = edges.size() <= (made.dimension == 3 ? most_edges_of_space : most_edges_of_plane);

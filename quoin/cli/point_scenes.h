@@ -15,8 +15,10 @@
 
 namespace quoin::cli {
 
-/// A layer of a page of points holds no more triangles, nor edges.
-inline constexpr std::size_t most_drawn = std::size_t{5} << 19;
+/// A layer of a page of points holds no more triangles, and no more edges. All triangles of half a million points on a
+/// surface that are there once it is closed are fewer.
+inline constexpr std::size_t most_triangles_drawn = std::size_t{1} << 22;
+inline constexpr std::size_t most_edges_drawn = std::size_t{1} << 20;
 
 /// The scene with the points of a file that are vertices, with their numbers, and a layer of them with their colours.
 LayeredScene scene_of_points(const PointFile& file, std::span<const std::uint32_t> first_input);

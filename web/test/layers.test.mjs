@@ -117,7 +117,7 @@ describe("clouds", () => {
       await page.mouse.click(at.x, at.y);
       const card = await page.locator(".card").innerText();
       assert.match(card, /Point 11[^]*\(2, 0, 0\)/);
-      assert.ok(await page.locator(".ring").isVisible());
+      await page.locator(".ring").waitFor({ state: "visible" });
       await picture(page, "layers-point");
       await page.keyboard.press("Escape");
       assert.ok(!(await page.locator(".card").isVisible()));

@@ -162,15 +162,18 @@ export class CloudView {
     this.stage.invalidate();
   }
 
-  /** While it moves slowly: a sample of the points, and what stands on them only if it is not much. */
+  /** While it moves slowly: a sample of the points, and what stands on them only if it is not much; then all points. */
   private thin(): void {
+    let isAnyDropped = false;
     for (const drawn of this.layers) {
       const { kind } = drawn.layer;
       const most = mostWhileMoving[kind];
-      if (!this.isThin) drawn.limit(Infinity);
-      else if (kind === "points") drawn.limit(most);
-      else drawn.limit(drawn.countAt(this.value) > most ? 0 : Infinity);
+      const isDropped = this.isThin && kind !== "points" && drawn.isShown && drawn.countAt(this.value) > most;
+      isAnyDropped ||= isDropped;
+      drawn.limit(!this.isThin ? Infinity : isDropped ? 0 : kind === "points" ? most : Infinity);
     }
+    const points = this.layers.find((drawn) => drawn.layer.kind === "points");
+    if (isAnyDropped && points) points.limit(mostWhileMoving.points, true);
   }
 
   private placeRing(): void {

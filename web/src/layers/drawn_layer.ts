@@ -121,10 +121,10 @@ export class DrawnLayer {
     this.limit(Infinity);
   }
 
-  /** At most so many elements, as while the picture moves. */
-  limit(most: number): void {
+  /** At most so many elements, as while the picture moves; then perhaps of a hidden layer too. */
+  limit(most: number, isForced = false): void {
     this.geometry.setDrawRange(0, cornersDrawn[this.layer.kind] * Math.min(most, this.drawn));
-    this.object.visible = this.isShown && this.drawn > 0 && most > 0;
+    this.object.visible = (this.isShown || isForced) && this.drawn > 0 && most > 0;
   }
 
   isThere(element: number, value: number): boolean {

@@ -103,7 +103,9 @@ export class LayersPage {
       const length = this.axis.read(values[pairs.death[pair]]) - this.axis.read(values[pairs.birth[pair]]);
       if (!(length <= (best[degree]?.length ?? 0))) best[degree] = { pair, length };
     }
-    const found = best.filter((one) => one && one.length > longClass * Math.max(...best.map((other) => other?.length ?? 0))).pop();
+    const there = best.filter((one) => one !== undefined); // best has no entry of degree 0
+    const longest = Math.max(...there.map((one) => one.length));
+    const found = there.filter((one) => one.length > longClass * longest).pop();
     return found ? pairs.birth[found.pair] : Math.max(0, values.length - 1);
   }
 
@@ -145,7 +147,8 @@ export class LayersPage {
   private layerList(): HTMLElement {
     const list = el("ul", { class: "list" });
     for (const drawn of this.view.layers) {
-      const { name, color } = drawn.layer;
+      const { name, colors } = drawn.layer;
+      const color = colors && colors.length > 0 ? colors : drawn.layer.color;
       const toggle = el("button", { type: "button", class: "eye", "aria-pressed": `${drawn.isShown}`, "aria-label": `Show ${name}`, title: "Hide or show" }, icon(icons.eye));
       toggle.addEventListener("click", () => {
         this.view.showLayer(drawn, !drawn.isShown);
