@@ -175,4 +175,33 @@ RationalPoint3 CrossingChain::exact_point(std::uint32_t node) {
           first.z + circle.centre.z * half + circle.normal.z * t};
 }
 
+// As RoundedRay bounds its errors: with k = |a| |b| / |n|, the centre from the first corner has 32 k u (|a| + |b|) and
+// 17 k u of itself, n has 8 k u of itself, and the place its own error times n.
+Point3 CrossingChain::near_point(std::uint32_t node) {
+  if (nodes_[node].state == State::unknown) round(node);
+  const Node& at = nodes_[node];
+  const auto p = corners(at.triangle);
+  const Point3& first = *p[0];
+  const auto difference = [&](const Point3& q) {
+    return Vector<double>{(q.x - first.x) * scale_, (q.y - first.y) * scale_, (q.z - first.z) * scale_};
+  };
+  const auto norm = [](const Vector<double>& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); };
+  const Vector<double> a = difference(*p[1]);
+  const Vector<double> b = difference(*p[2]);
+  const Vector<double> n = cross(a, b);
+  const double nn = dot(n, n);
+  const double k = norm(a) * norm(b) / std::sqrt(nn);
+  const Vector<double> centre = cross(b * dot(a, a) - a * dot(b, b), n) * (1 / (2 * nn));
+  const Vector<double> off = centre + n * at.place.t;
+  const double error =
+      1e-14 * k * (norm(centre) + norm(a) + norm(b) + std::fabs(at.place.t) * norm(n)) + at.place.error * norm(n);
+  const double largest = std::max({std::fabs(first.x), std::fabs(first.y), std::fabs(first.z)}) * scale_;
+  if (at.state == State::rounded && nn > 0x1p-160 && k < 0x1p26 && error < 0x1p-32 * std::max(largest, norm(off))) {
+    const double unscaled = 1 / scale_;
+    return {first.x + off.x * unscaled, first.y + off.y * unscaled, first.z + off.z * unscaled};
+  }
+  const RationalPoint3 exact = exact_point(node);
+  return {exact.x.to_double(), exact.y.to_double(), exact.z.to_double()};
+}
+
 }  // namespace quoin

@@ -48,6 +48,8 @@ class CrossingChain {
   /// The place of a point on the Voronoi edge of a triangle that is, or has the same circle as, the point's.
   Rational exact_place(std::uint32_t node, const FlowTriangle& triangle);
   RationalPoint3 exact_point(std::uint32_t node);
+  /// Within 2^-30 of the largest coordinate, its own or of its triangle: nine digits. Much quicker than exact ones.
+  Point3 near_point(std::uint32_t node);
   const FlowTriangle& triangle(std::uint32_t node) const { return nodes_[node].triangle; }
 
   std::size_t exact_count() const { return exact_count_; }

@@ -205,6 +205,34 @@ TEST(FlowCells, SayWhatDeloneFacesSay) {
   EXPECT_GT(seen.not_ordinary, 0U);
 }
 
+TEST(FlowCells, NearPointsAreNear) {
+  Random random(103);
+  std::size_t compared = 0;
+  for (double (*coordinate)(Random&) :
+       {+[](Random& r) { return testing::unit(r); }, +[](Random& r) { return testing::small_integer(r, 40); }}) {
+    const Delaunay3 triangulation(testing::random_points(random, 200, coordinate), context());
+    const FlowCells cells(triangulation, context());
+    SaddleSurfaces surfaces(cells);
+    cells.for_each_saddle(context(), [&](CellFacet saddle) {
+      surfaces.follow(saddle, context());
+      for (std::uint32_t i = surfaces.chain().size(); i-- > 0;) {
+        const Point3 first = triangulation.point(surfaces.chain().triangle(i)[0]);
+        const RationalPoint3 near = exact_point(surfaces.chain().near_point(i));
+        const RationalPoint3 exact = surfaces.chain().exact_point(i);
+        const RationalPoint3 off = exact - near;
+        const Rational most =
+            std::max({Rational(std::max({std::fabs(first.x), std::fabs(first.y), std::fabs(first.z)})), abs(exact.x),
+                      abs(exact.y), abs(exact.z)});
+        for (unsigned axis = 0; axis < 3; ++axis) {
+          ASSERT_LE(abs(off[axis]), most * Rational(0x1p-30));
+        }
+        ++compared;
+      }
+    });
+  }
+  EXPECT_GT(compared, 1000U);
+}
+
 // Along the ways the distance to the points grows, up to roundings; they lead from each Voronoi vertex to the next.
 TEST(FlowCells, WaysLeadAway) {
   Random random(102);

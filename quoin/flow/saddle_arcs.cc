@@ -132,9 +132,10 @@ std::optional<ArcLeg> SaddleArcs::way_on(std::uint32_t first, const Context& con
   if (way.segments == 0) return std::nullopt;
   ArcLeg found;
   const bool crosses = flow_.way(first).kind == CellWay::Kind::edge;
-  const Rational unscale(flow_.triangulation().unscale());
+  const double unscale = flow_.triangulation().unscale();
   for (std::uint32_t i = 1; crosses && i < crosser_.chain().size(); ++i) {
-    found.points.push_back(to_nearest_doubles(crosser_.chain().exact_point(i) * unscale));
+    const Point3 p = crosser_.chain().near_point(i);
+    found.points.push_back({p.x * unscale, p.y * unscale, p.z * unscale});
   }
   const std::uint32_t next = way.next & ~has_passed;
   if (next < first_saddle) found.next = next;

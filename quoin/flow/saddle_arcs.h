@@ -29,7 +29,7 @@ struct SaddleEnd {
 
 /// A part of a way, between Voronoi vertices.
 struct ArcLeg {
-  std::vector<Point3> points;         ///< constructed ones; each coordinate the nearest double
+  std::vector<Point3> points;         ///< constructed ones, to nine digits of the largest coordinate
   std::optional<std::uint32_t> next;  ///< the Delone cell whose centre it leads to, where it does
 };
 
