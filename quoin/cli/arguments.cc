@@ -187,7 +187,8 @@ CLI::App* add_points_command(CLI::App& app, Options& options, const char* name, 
 void add_alpha(CLI::App& app, Options& options) {
   CLI::App* alpha = add_points_command(
       app, options, "alpha", "alpha complexes of points, exactly: their values, shapes, and graphs of neighbours",
-      "vtk (simplices with values, or edges of a graph), ply obj off (the boundary, or triangles of the plane), html (a page of all values), txt "
+      "vtk (simplices with values, or edges of a graph), ply obj off (the boundary, or triangles of the plane), html "
+      "(a page of all values), txt "
       "(the filtration, or pairs of points)");
   alpha->add_flag("--weighted", options.weighted, "the last column is a weight: of the regular triangulation");
   alpha->add_option("--value", options.value, "the complex of this value, a squared radius: a decimal or p/q");
@@ -210,8 +211,9 @@ void add_alpha(CLI::App& app, Options& options) {
 }
 
 void add_triangulations(CLI::App& app, Options& options) {
-  CLI::App* delaunay = add_points_command(app, options, "delaunay", "the Delaunay triangulation of points, exactly",
-                                          "vtk (all cells), ply obj off (the hull, or all triangles of the plane), html (a page to look at)");
+  CLI::App* delaunay = add_points_command(
+      app, options, "delaunay", "the Delaunay triangulation of points, exactly",
+      "vtk (all cells), ply obj off (the hull, or all triangles of the plane), html (a page to look at)");
   delaunay->add_flag("--weighted", options.weighted, "the last column is a weight: the regular triangulation");
   delaunay->add_flag("--check", options.check,
                      "prove that every sphere is empty, by other means than those that made it");

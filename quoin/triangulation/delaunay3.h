@@ -44,8 +44,8 @@ class Delaunay3 {
   std::size_t vertex_count() const { return vertex_count_; }
   /// As it was given, but for the sign of zero.
   Point3 point(std::uint32_t vertex) const { return points_.original(vertex); }
-  /// The points of all vertices times one power of two, in the order of their numbers; where all lie in a plane, a point
-  /// off it at the end.
+  /// The points of all vertices times one power of two, in the order of their numbers; where all lie in a plane, a
+  /// point off it at the end.
   std::span<const Point3> scaled_points() const { return points_.all(); }
   /// What gives the points back from the scaled ones.
   double unscale() const { return points_.unscale; }
