@@ -43,7 +43,7 @@ class Context {
   /// How often it was polled; counted where `most_polls` is given.
   std::uint64_t polls() const noexcept { return polls_.load(std::memory_order_relaxed); }
 
-  /// Reports progress and polls. Called by the thread that runs the operation.
+  /// Reports progress and polls. Called by the thread that runs the operation, or by one at a time of those it runs on.
   void progress(std::string_view stage, double done) const;
 
  private:

@@ -20,6 +20,7 @@ namespace quoin {
 namespace {
 
 constexpr std::size_t many_points = 1000;
+constexpr std::size_t most_points = std::size_t{1} << 31;
 constexpr std::size_t grain = 16384;
 constexpr double half_range = std::numeric_limits<double>::max() / 2;
 
@@ -77,6 +78,7 @@ ConvexHull hull_of_solid(std::span<const Point3> points, double largest, const S
 }  // namespace
 
 ConvexHull convex_hull(std::span<const Point3> points, const Context& context) {
+  if (points.size() > most_points) throw InputError("there are more than 2^31 points");
   const double largest = largest_of_finite(points, context);
   // Mostly the first few tell; being first, they are the first of points that equal them.
   Simplex simplex = find_simplex(points.first(std::min(points.size(), many_points)), context);

@@ -6,6 +6,7 @@
 #include "quoin/polytope/hull_candidates.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "quoin/base/parallel.h"
 #include "quoin/polytope/hull_filter.h"
@@ -19,6 +20,7 @@ namespace {
 constexpr std::uint32_t many_points = 1000;
 constexpr std::uint32_t very_many_points = 30000;  // enough to pay for a table
 constexpr std::uint32_t few_points = 256;
+constexpr std::size_t most_points = 65536;  // that a hull is made of, to tell about others
 constexpr std::size_t grain = 65536;
 
 /// From each step-th point to each of 16 times as many; to all, if that is not many more.
@@ -73,14 +75,19 @@ std::vector<std::uint32_t> hull_candidates(std::span<const Point3> points, doubl
   if (points.size() < very_many_points) return left_by_planes(points, 1, largest, simplex, context);
   auto step = static_cast<std::uint32_t>(points.size() / few_points);
   std::vector<std::uint32_t> some = each_of(points.size(), step);
+  std::optional<HullReach> reach;
   while (step > 1) {
+    // The hull of so many would tell little more than it costs.
+    if (some.size() > most_points) return left_by(*reach, points, 1, context);
     const HullOfSome hull(points, some, simplex, context);
     step = finer(step);
-    some = left_by(HullReach(hull.builder, largest), points, step, context);
+    reach.emplace(hull.builder, largest, context);
+    some = left_by(*reach, points, step, context);
     if (2 * some.size() < chunk_count(points.size(), step)) continue;
     // Of a thin hull that lies askew the table holds little.
-    const std::size_t of_planes = left_by_planes(points, step, largest, simplex, context).size();
-    if (of_planes <= some.size()) return left_by_planes(points, 1, largest, simplex, context);
+    std::vector<std::uint32_t> by_planes = left_by_planes(points, step, largest, simplex, context);
+    if (by_planes.size() > some.size()) continue;
+    return step == 1 ? by_planes : left_by_planes(points, 1, largest, simplex, context);
   }
   return some;
 }

@@ -107,7 +107,7 @@ TEST(HullReach, HoldsNothingThatIsNotInside) {
       const HullOfSome hull(points, half, simplex, one_thread);
       Points asked = near_hull(hull.builder, points, random);
       const double largest = std::max(largest_of(points), largest_of(asked));
-      const HullReach reach(hull.builder, largest);
+      const HullReach reach(hull.builder, largest, one_thread);
       const HullFilter planes(hull.builder, largest);
       std::vector<std::uint32_t> left;
       planes.append_others(asked, 0, asked.size(), 1, left);
@@ -129,7 +129,7 @@ TEST(HullReach, HoldsMostOfWhatIsInside) {
     std::vector<std::uint32_t> all;
     for (std::uint32_t i = 0; i < points.size(); ++i) all.push_back(i);
     const HullOfSome hull(points, all, simplex, one_thread);
-    const HullReach reach(hull.builder, largest_of(points));
+    const HullReach reach(hull.builder, largest_of(points), one_thread);
     const auto held = std::ranges::count_if(points, [&](const Point3& p) { return reach.surely_holds(p); });
     EXPECT_GT(held, 4250);
   }
@@ -167,15 +167,36 @@ TEST(HullCandidates, AreAllCornersAndFewOthers) {
   }
 }
 
-TEST(HullCandidates, AreAllPointsOfASphere) {
-  Random random(4);
+/// Of a part of the unit sphere, and of a smaller ball: hulls of parts have as many corners as points on the sphere.
+Points with_part_on_sphere(std::size_t count, int on_sphere_in_a_hundred, Random& random) {
   Points points;
-  while (points.size() < 20000) {
+  while (points.size() < count) {
     const Point3 p = in_ball(random);
     const double length = std::sqrt(p.x * p.x + p.y * p.y + p.z * p.z);
-    if (length > 0.1) points.push_back({p.x / length, p.y / length, p.z / length});
+    if (length < 0.1) continue;
+    const double size = below(random, 100) < on_sphere_in_a_hundred ? 1 / length : 0.9;
+    points.push_back({p.x * size, p.y * size, p.z * size});
   }
+  return points;
+}
+
+TEST(HullCandidates, AreAllPointsOfASphere) {
+  Random random(4);
+  const Points points = with_part_on_sphere(20000, 100, random);
   EXPECT_EQ(hull_candidates(points, 1, find_simplex(points, one_thread), one_thread).size(), points.size());
+}
+
+TEST(HullCandidates, OfASphereAroundABallAreThoseOfTheSphere) {
+  if (tests_take_fewer_rounds) GTEST_SKIP() << "large";
+  Random random(5);
+  const Points points = with_part_on_sphere(400000, 40, random);
+  const auto candidates = hull_candidates(points, 1, find_simplex(points, one_thread), one_thread);
+  EXPECT_LT(candidates.size(), points.size() / 2);
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    const Point3& p = points[i];
+    if (p.x * p.x + p.y * p.y + p.z * p.z < 0.9) continue;
+    ASSERT_TRUE(std::ranges::binary_search(candidates, i)) << i;
+  }
 }
 
 }  // namespace

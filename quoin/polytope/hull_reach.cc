@@ -3,6 +3,8 @@
 
 #include <limits>
 
+#include "quoin/base/parallel.h"
+
 namespace quoin {
 
 namespace {
@@ -34,7 +36,7 @@ struct HullReach::Gauge {
   double most = 0;  // in a square
 };
 
-HullReach::HullReach(const HullBuilder& hull, double largest_coordinate) {
+HullReach::HullReach(const HullBuilder& hull, double largest_coordinate, const Context& context) {
   set_frame(hull);
   // Bounds grow with the largest coordinate; that of few points may be smaller than that of all.
   const std::vector<Facet> facets =
@@ -42,7 +44,7 @@ HullReach::HullReach(const HullBuilder& hull, double largest_coordinate) {
   const auto squares = static_cast<unsigned>(std::sqrt(static_cast<double>(facets.size())) / 6);
   side_cells_ = square_cells * std::clamp(squares, 1U, most_squares);
   half_side_ = side_cells_ / 2.0;
-  fill(facets);
+  fill(facets, context);
   inner_ = *std::min_element(reach_.begin(), reach_.end());
   outer_ = *std::max_element(reach_.begin(), reach_.end());
 }
@@ -69,12 +71,15 @@ void HullReach::set_frame(const HullBuilder& hull) {
 }
 
 /// A plane n with offset o, moved inwards by its slack, holds p = c + d if n.d < h = o - slack - n.c; h takes the slack
-/// once more, for its own rounding (as `HullBuilder` derives it: the evaluation at a point of no larger coordinates).
+/// twice more, once for its own rounding (as `HullBuilder` derives it: the evaluation at a point of no larger
+/// coordinates) and once to spare.
 /// Differences p - c are off by a part of 2^-53 of each component, cells by 2^-50 of the largest, n/h and its products
-/// by 2^-50 of the sum of their magnitudes: 2^-38 of that sum pays for all. Powers of two cost nothing, unless they
-/// leave the range of doubles; then the facet is refused, as it is where the centre is not inside it.
+/// by 2^-50 of the sum of their magnitudes: 2^-38 of that sum pays for all. Powers of two cost nothing: what
+/// underflows is far below that, as heights are at least the slack, 2^-120. A facet that the centre is not inside of is
+/// refused, and one of numbers that leave the range of doubles.
 std::vector<HullReach::Facet> HullReach::facets_from_centre(const HullBuilder& hull, double growth) const {
   std::vector<Facet> facets;
+  facets.reserve(hull.triangles().size());
   for (std::uint32_t t = 0; t < hull.triangles().size(); ++t) {
     const HullBuilder::Triangle& triangle = hull.triangles()[t];
     if (triangle.is_free()) continue;
@@ -93,18 +98,18 @@ std::vector<HullReach::Facet> HullReach::facets_from_centre(const HullBuilder& h
 
 /// Squares of a side, and in each the facets that may be the last to be met by a direction of it: those that are, for
 /// some corner, higher than another is for all of them. Of these alone the cells of the square take their largest.
-void HullReach::fill(const std::vector<Facet>& facets) {
+void HullReach::fill(const std::vector<Facet>& facets, const Context& context) {
   reach_.assign(std::size_t{6} * side_cells_ * side_cells_, 0);
   if (facets.empty()) return;
-  std::vector<Gauge> gauges;
-  for (unsigned side = 0; side < 6; ++side) {
-    for (unsigned i = 0; i < side_cells_; i += square_cells) {
-      for (unsigned k = 0; k < side_cells_; k += square_cells) {
-        find_gauges(facets, side, i, k, gauges);
-        fill_square(gauges, side, i, k);
-      }
-    }
-  }
+  const unsigned squares = side_cells_ / square_cells;
+  for_each_chunk(context, std::size_t{6} * squares * squares, 1, [&](const Chunk& chunk) {
+    const auto index = static_cast<unsigned>(chunk.begin);
+    const unsigned i = index / squares % squares * square_cells;
+    const unsigned k = index % squares * square_cells;
+    std::vector<Gauge> gauges;
+    find_gauges(facets, index / squares / squares, i, k, gauges);
+    fill_square(gauges, index / squares / squares, i, k);
+  });
 }
 
 void HullReach::find_gauges(const std::vector<Facet>& facets, unsigned side, unsigned i, unsigned k,

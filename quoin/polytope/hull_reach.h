@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "quoin/base/context.h"
 #include "quoin/kernel/point.h"
 #include "quoin/polytope/hull_builder.h"
 
@@ -20,7 +21,8 @@ namespace quoin {
 class HullReach {
  public:
   /// O(number of facets). No later point may have a larger coordinate, in magnitude, than `largest_coordinate`.
-  HullReach(const HullBuilder& hull, double largest_coordinate);
+  /// @throws Cancelled
+  HullReach(const HullBuilder& hull, double largest_coordinate, const Context& context);
 
   /// Of each step-th point, from begin * step to before end * step: appends those that are not surely inside.
   void append_others(std::span<const Point3> points, std::size_t begin, std::size_t end, std::uint32_t step,
@@ -54,7 +56,7 @@ class HullReach {
   void set_frame(const HullBuilder& hull);
   std::vector<Facet> facets_from_centre(const HullBuilder& hull, double growth) const;
   double place(unsigned i) const { return (i - half_side_) / half_side_; }
-  void fill(const std::vector<Facet>& facets);
+  void fill(const std::vector<Facet>& facets, const Context& context);
   void find_gauges(const std::vector<Facet>& facets, unsigned side, unsigned i, unsigned k,
                    std::vector<Gauge>& gauges) const;
   void fill_square(const std::vector<Gauge>& gauges, unsigned side, unsigned i, unsigned k);

@@ -165,7 +165,8 @@ std::vector<std::uint32_t> extremes(std::span<const Point3> points, const Contex
   std::array<std::uint32_t, 13> highest{};
   const std::size_t step = points.size() / 65536 + 1;
   context.poll();
-  for (std::uint32_t i = 0; i < points.size(); i += static_cast<std::uint32_t>(step)) {
+  for (std::size_t at = 0; at < points.size(); at += step) {
+    const auto i = static_cast<std::uint32_t>(at);
     const Point3& p = points[i];
     for (std::size_t d = 0; d < directions.size(); ++d) {
       const double height = directions[d][0] * (p.x / 4) + directions[d][1] * (p.y / 4) + directions[d][2] * (p.z / 4);

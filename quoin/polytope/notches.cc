@@ -22,23 +22,34 @@ RationalPoint3 normal_of(const Brep& boundary, std::uint32_t face) {
   return cross(boundary.points.exact(b) - origin, boundary.points.exact(c) - origin);
 }
 
-/// Whether a face leaves an edge to the outer side of another one's plane. Mostly all its corners lie on one side.
+/// Whether a face leaves an edge to the outer side of another one's plane, by the direction in which it does.
+bool goes_up(const Brep& boundary, const FaceSide& side, std::uint32_t other) {
+  const Constructions& points = boundary.points;
+  const RationalPoint3 along =
+      points.exact(PointId(std::size_t{side.head})) - points.exact(PointId(std::size_t{side.tail}));
+  return dot(normal_of(boundary, other), cross(normal_of(boundary, side.face), along)).sign() == Sign::positive;
+}
+
+/// Whether a face leaves an edge to the outer side of another one's plane. Mostly all its corners lie on one side; of
+/// many, some are asked.
 bool rises_above(const Brep& boundary, const FaceSide& side, std::uint32_t other) {
   const Constructions& points = boundary.points;
   const auto& [a, b, c] = boundary.face_planes[other];
+  constexpr std::size_t most_asked = 16;
+  std::size_t asked = 0;
   bool has_corner_above = false;
   bool has_corner_below = false;
   for (std::uint32_t l = boundary.face_first_loop[side.face]; l < boundary.face_first_loop[side.face + 1]; ++l) {
     for (const PointId corner : boundary.loop(l)) {
+      if (corner.index() == side.tail || corner.index() == side.head) continue;
+      if (++asked > most_asked || (has_corner_above && has_corner_below)) return goes_up(boundary, side, other);
       const Sign sign = points.orientation_any(a, b, c, corner);
       has_corner_above = has_corner_above || sign == Sign::positive;
       has_corner_below = has_corner_below || sign == Sign::negative;
     }
   }
   if (!has_corner_above || !has_corner_below) return has_corner_above;
-  const RationalPoint3 along =
-      points.exact(PointId(std::size_t{side.head})) - points.exact(PointId(std::size_t{side.tail}));
-  return dot(normal_of(boundary, other), cross(normal_of(boundary, side.face), along)).sign() == Sign::positive;
+  return goes_up(boundary, side, other);
 }
 
 std::vector<FaceSide> sides_of_faces(const Brep& boundary) {
@@ -61,7 +72,9 @@ template <class Visit>
 void for_each_notch(const Brep& boundary, const Context& context, const Visit& visit) {
   std::vector<FaceSide> sides = sides_of_faces(boundary);
   const auto ends = [](const FaceSide& s) { return std::minmax(s.tail, s.head); };
+  std::size_t comparisons = 0;
   std::ranges::sort(sides, [&](const FaceSide& a, const FaceSide& b) {
+    if (++comparisons % 65536 == 0) context.poll();
     return std::pair(ends(a), a.face) < std::pair(ends(b), b.face);
   });
   for (std::size_t first = 0; first < sides.size();) {

@@ -21,17 +21,19 @@ struct Sums {
   bool are_doubles = true;
 };
 
-/// If the corners are doubles and no sum leaves their range.
+/// If the corners are doubles and no sum leaves their range or comes near its end.
 std::optional<Sums> sums_of_doubles(std::span<const PairMesh::Corner> corners, const TiledSurface& a,
-                                    const TiledSurface& b) {
+                                    const TiledSurface& b, const Context& context) {
   if (!a.has_doubles() || !b.has_doubles()) return std::nullopt;
   Sums sums;
   sums.nearest.resize(corners.size());
   sums.tails.resize(corners.size());
   for (std::size_t i = 0; i < corners.size(); ++i) {
+    if (i % 16384 == 0) context.poll();
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const TwoDoubles exact = two_sum(a.point(corners[i].a)[axis], b.point(corners[i].b)[axis]);
-      if (!std::isfinite(exact.value)) return std::nullopt;
+      // Near the largest double what is left may overflow though the sum does not.
+      if (!std::isfinite(exact.value) || !std::isfinite(exact.tail)) return std::nullopt;
       sums.nearest[i][axis] = exact.value + 0.0;
       sums.tails[i][axis] = exact.tail;
       sums.are_doubles = sums.are_doubles && exact.tail == 0;
@@ -94,7 +96,7 @@ std::shared_ptr<const Leaf> PairMesh::leaf(const TiledSurface& a, const TiledSur
   mesh.name = "sum";
   std::vector<RationalPoint3> exact;
   std::vector<std::uint32_t> first;
-  std::optional<Sums> sums = sums_of_doubles(vertices_, a, b);
+  std::optional<Sums> sums = sums_of_doubles(vertices_, a, b, context);
   if (!sums || !sums->are_doubles) {
     for (const Corner& c : vertices_) {
       if (exact.size() % 256 == 0) context.poll();

@@ -148,6 +148,17 @@ TEST(SolidSum, OfSumsThatAreNotDoublesIsTheSameMovedBack) {
   EXPECT_EQ(volume_of(sum_of(a, b)), side * side * side);
 }
 
+/// The largest double less a little: what the rounded sum leaves overflows, though the sum does not.
+TEST(SolidSum, OfSumsNearTheLargestDouble) {
+  const double h = 0x1p970;
+  const double most = std::numeric_limits<double>::max();
+  const Solid l = box({-5 * h, 0, 0}, {-3 * h, 1, 1}) | box({-5 * h, 0, 0}, {-4 * h, 2, 1});
+  const Solid sum = sum_of(l, box({0, 0, 0}, {most, 1, 1}));
+  const Rational long_part = (Rational(most) + Rational(2) * Rational(h)) * Rational(4);
+  const Rational short_part = (Rational(most) + Rational(h)) * Rational(2);
+  EXPECT_EQ(volume_of(sum), long_part + short_part);
+}
+
 TEST(SolidSum, DoesNotDependOnTheOrderAndDistributesOverUnions) {
   for (std::uint64_t seed = 0; seed < test_rounds(6U); ++seed) {
     Random random(1000 + seed);

@@ -52,7 +52,9 @@ std::optional<FixedPointCones> FixedPointCones::of(const Brep& boundary, std::sp
   std::vector<std::uint32_t> place(boundary.points.point_count(), none);
   std::vector<PointId> points;
   double largest = 0;
+  std::size_t polled = 0;
   for (const std::uint32_t face : faces) {
+    if (polled++ % 1024 == 0) context.poll();
     for_each_loop(boundary, face, [&](std::span<const PointId> loop) {
       for (const PointId p : loop) {
         if (place[p.index()] != none) continue;

@@ -19,20 +19,20 @@ Delaunay3::Delaunay3(std::span<const Point3> points, const Context& context, con
   if (dimension_ < 2) {
     cells_ = cells_of_chain(chain());
   } else {
-    triangulate(basis, context);
+    const bool is_plain = options.is_canonical && context.threads() < 2;
+    triangulate(basis, is_plain ? InsertionSplit::none() : InsertionSplit::of(vertex_count_), context);
   }
   if (options.is_canonical) sort_cells(cells_, dimension_);
 } catch (const std::bad_alloc&) {
   refuse_for_memory(points.size());
 }
 
-void Delaunay3::triangulate(const AffineBasis& basis, const Context& context) {
+void Delaunay3::triangulate(const AffineBasis& basis, const InsertionSplit& split, const Context& context) {
   const auto apex = static_cast<std::uint32_t>(vertex_count_);
   const std::vector<std::uint32_t>& v = basis.vertices;
   if (dimension_ == 2) points_.points.push_back(point_off_plane(points_.all(), basis));
   cells_ = insert_in_rounds(
-      signs(), vertex_count_, {v[0], v[1], v[2], dimension_ == 2 ? apex : v[3]}, context, [](std::uint32_t) {},
-      InsertionSplit::of(vertex_count_));
+      signs(), vertex_count_, {v[0], v[1], v[2], dimension_ == 2 ? apex : v[3]}, context, [](std::uint32_t) {}, split);
   if (dimension_ == 2) cells_ = without_apex(cells_, apex);
 }
 

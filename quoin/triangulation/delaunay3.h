@@ -15,6 +15,7 @@
 namespace quoin {
 
 struct AffineBasis;
+struct InsertionSplit;
 
 struct DelaunayOptions {
   /// Cells in canonical order: then the same points give the same bytes in all versions. Takes about half as long as
@@ -66,7 +67,7 @@ class Delaunay3 {
   DelaunaySigns signs() const { return {points_.all(), dimension_ == 2}; }
 
  private:
-  void triangulate(const AffineBasis& basis, const Context& context);
+  void triangulate(const AffineBasis& basis, const InsertionSplit& split, const Context& context);
   std::vector<std::uint32_t> chain() const;
 
   VertexPoints points_;  ///< in a plane, with a point off it at the end

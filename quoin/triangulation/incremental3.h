@@ -65,6 +65,12 @@ class IncrementalTriangulation {
   bool is_free(std::uint32_t cell) const { return (cells_[cell].vertices[0] & mark) != 0; }
   /// Cells to be made use of.
   CellPool& pool() { return pool_; }
+  void take_pool(CellPool pool) {
+    pool_ = std::move(pool);
+    has_room_ = true;
+  }
+  /// False from when a point of a region wanted more cells than the pool had.
+  bool has_room() const { return has_room_; }
 
   /// The cell in which the walk from the cell inserted last ends: a finite one that holds the point, or a ghost of a
   /// facet that sees it. `no_cell` where the walk would leave the facets of the region.
@@ -189,7 +195,8 @@ class IncrementalTriangulation {
         }
       }
     }
-    return Region::may_grow || facets_.size() <= dead_.size() + pool_.size();
+    has_room_ = Region::may_grow || facets_.size() <= dead_.size() + pool_.size();
+    return has_room_;
   }
 
   std::uint32_t new_cell(std::size_t k) {
@@ -296,6 +303,7 @@ class IncrementalTriangulation {
   const Signs& signs_;
   CellArray& cells_;
   CellPool pool_;
+  bool has_room_ = true;
   StarNumbers numbers_;
   std::vector<std::uint32_t> table_;
   std::vector<std::uint32_t> dead_;

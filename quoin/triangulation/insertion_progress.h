@@ -20,7 +20,6 @@ class InsertionProgress {
     if (!lock.owns_lock()) return context_.poll();
     context_.progress("triangulate", static_cast<double>(done()) / static_cast<double>(all_));
   }
-  void take_back(std::size_t points) { done_.fetch_sub(points, std::memory_order_relaxed); }
   std::size_t done() const { return done_.load(std::memory_order_relaxed); }
 
  private:

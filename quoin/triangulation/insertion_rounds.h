@@ -25,6 +25,12 @@ struct InsertionSplit {
     if (count >= 4'000'000) split.regions = 4;
     return split;
   }
+  /// One point after the other: the quickest on one thread, where the order of cells is not asked for.
+  static InsertionSplit none() {
+    InsertionSplit split;
+    split.regions = 1;
+    return split;
+  }
 };
 
 /// Triangulates vertices 0 to count - 1, and those of the simplex, which are four that are not coplanar; one of these
@@ -55,6 +61,7 @@ CellArray insert_in_rounds(const Signs& signs, std::size_t count, const std::arr
     const std::size_t points = round + 1 < insertion_rounds ? (count - count / 8) >> (3 * round) : 0;
     if (split.regions < 2 || points < split.regions * split.least_points) {
       for (std::uint32_t v = 0; v < count; ++v) {
+        if (v % 65536 == 0) context.poll();
         if (is_of_round(v)) insert(v);
       }
       continue;
@@ -70,7 +77,7 @@ CellArray insert_in_rounds(const Signs& signs, std::size_t count, const std::arr
     // Halves of Hilbert's curve are halves of a cube, and from a quarter on they are so across another axis.
     constexpr std::array<double, 2> halves{0, 0.25};
     for (const double begin : halves) {
-      if (late.size() < split.least_points / 4) break;
+      if (late.size() < split.least_points / 4 || !regions.has_room()) break;
       if (begin == 0 && split.regions == 2) continue;
       const auto visit_late = [&](const RankRegion& region, const auto& insert_one) {
         for (const std::uint32_t v : late) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -43,27 +44,31 @@ class RegionInsertion {
                                     const WhenHidden& when_hidden) {
     const std::span<Hand> hands = std::span<Hand>(hands_).first(regions);
     place_regions(hands, begin);
-
     hand_out_cells(hands, points);
+    has_room_ = true;
     for_each_chunk(context_, regions, 1, [&](const Chunk& chunk) { insert_region(hands[chunk.index], visit); });
     std::vector<std::uint32_t> late;
     for (Hand& hand : hands) {
       if (hand.engine.last() != Engine::no_cell) whole_.begin_at(hand.engine.last());
       whole_.pool().take_all_of(hand.engine.pool());
       late.insert(late.end(), hand.late.begin(), hand.late.end());
-      hand.late = {};
+      hand.late = std::vector<std::uint32_t>();
       for (const std::uint32_t v : hand.hidden) when_hidden(v);
-      hand.hidden = {};
+      hand.hidden = std::vector<std::uint32_t>();
+      has_room_ = has_room_ && hand.engine.has_room();
     }
     std::sort(late.begin(), late.end());
     return late;
   }
 
+  /// Whether all points that were late last time were so for what they would change, and not for want of cells.
+  bool has_room() const { return has_room_; }
+
  private:
   static constexpr std::size_t run = 1024;  // cells
   static constexpr std::size_t hints = 32;  // where walks begin, at so many points along the region
 
-  struct Hand {
+  struct alignas(64) Hand {
     Engine engine;
     RankRegion region;
     std::array<std::uint32_t, hints> begins{};
@@ -86,7 +91,9 @@ class RegionInsertion {
       hand.engine.begin_at(Engine::no_cell);
       for (std::size_t k = 0; k < hints; ++k) {
         const RankRegion& region = hand.region;
-        const auto v = static_cast<std::uint32_t>((region.begin + region.length * (2 * k + 1) / (2 * hints)) % cycle_);
+        const std::size_t rank = (region.begin + std::size_t{region.length} * (2 * k + 1) / (2 * hints)) % cycle_;
+        // The last of the cycle is a vertex in a plane only.
+        const auto v = static_cast<std::uint32_t>(std::min<std::size_t>(rank, cycle_ - 2));
         const std::uint32_t cell = whole_.locate(v, WholeRegion());
         whole_.begin_at(cell);
         hand.begins[k] = region.owns(cells_[cell].vertices) ? cell : Engine::no_cell;
@@ -94,13 +101,18 @@ class RegionInsertion {
     }
   }
 
-  /// As many as so many points have taken so far, and some more; no more than the array has room for. By turns, so that
-  /// what is left over lies at the end of the array, where it takes no memory.
+  /// As many as so many points have taken so far, and some more. By turns, so that what is left over lies at the end of
+  /// the array, where it takes no memory.
   void hand_out_cells(std::span<Hand> hands, std::size_t points) {
     CellPool& pool = whole_.pool();
     const auto used = static_cast<double>(cells_.size() - pool.size());
     const double per_point = used / static_cast<double>(progress_.done() + 4);
     const auto wanted = static_cast<std::size_t>(static_cast<double>(points) * per_point * 1.05);
+    const std::size_t enough = wanted + (hands.size() + 1) * run;
+    const std::size_t missing = enough - std::min(enough, pool.size());
+    if (cells_.size() + missing > cells_.capacity()) {
+      cells_.reserve(std::min(cells_.size() + missing, std::max(Engine::most_cells, cells_.capacity())));
+    }
     const std::size_t room = std::min(cells_.capacity(), Engine::most_cells);
     while (pool.size() < wanted + hands.size() * run && cells_.size() + run <= room) {
       const std::size_t begin = cells_.size();
@@ -108,29 +120,44 @@ class RegionInsertion {
       pool.add_run(static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(begin + run));
     }
     std::vector<CellPool> parts = pool.divided(hands.size());
-    for (std::size_t r = 0; r < hands.size(); ++r) hands[r].engine.pool() = std::move(parts[r]);
+    for (std::size_t r = 0; r < hands.size(); ++r) hands[r].engine.take_pool(std::move(parts[r]));
   }
 
+  /// Where one fails, the others end too.
   template <class Visit>
   void insert_region(Hand& hand, const Visit& visit) {
+    try {
+      insert_points(hand, visit);
+    } catch (...) {
+      has_failed_ = true;
+      throw;
+    }
+  }
+
+  /// Once there are no cells for a point, all that come after it are late.
+  template <class Visit>
+  void insert_points(Hand& hand, const Visit& visit) {
     Engine& engine = hand.engine;
-    std::size_t done = 0;
+    std::size_t seen = 0;
+    std::size_t done = 0;  // what is late is counted when it comes
     std::size_t interval = hints;
     visit(hand.region, [&](std::uint32_t v) {
+      if (++seen % 256 == 0) context_.poll();
+      if (has_failed_.load(std::memory_order_relaxed)) return;
       const std::size_t k = std::uint64_t{hand.region.steps_to(v)} * hints / hand.region.length;
       if (k != interval) begin_near(hand, k);
       interval = k;
-      const Place place = engine.last() == Engine::no_cell
+      const Place place = engine.last() == Engine::no_cell || !engine.has_room()
                               ? Place::late
                               : engine.insert(v, hand.region, [&](std::uint32_t w) { hand.hidden.push_back(w); });
       if (place == Place::hidden) hand.hidden.push_back(v);
-      if (place == Place::late) hand.late.push_back(v);
-      if (++done % 256 == 0) context_.poll();
-      if (done % 4096 == 0) progress_.add(4096);
+      if (place == Place::late) {
+        hand.late.push_back(v);
+      } else if (++done % 4096 == 0) {
+        progress_.add(4096);
+      }
     });
-    // What is late is counted when it comes.
     progress_.add(done % 4096);
-    progress_.take_back(hand.late.size());
   }
 
   /// A cell that was the region's is that still, or no cell.
@@ -145,6 +172,8 @@ class RegionInsertion {
   InsertionProgress& progress_;
   const Context& context_;
   std::vector<Hand> hands_;
+  bool has_room_ = true;
+  std::atomic<bool> has_failed_{false};
 };
 
 }  // namespace quoin
