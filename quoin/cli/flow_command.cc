@@ -181,7 +181,11 @@ Json flat(const Json& report) {
       continue;
     }
     const Json inside = flat(value);
-    for (const auto& [inner, number] : inside.items()) lines[key + " " + inner] = number;
+    for (const auto& [inner, number] : inside.items()) {
+      std::string name = key;
+      name.append(" ").append(inner);
+      lines[name] = number;
+    }
   }
   return lines;
 }
