@@ -14,7 +14,7 @@ std::array<Point3, 3> FlowComplex::circle(std::uint32_t polygon) const {
 
 RationalPoint3 FlowComplex::centre(DeloneFace face) const {
   const std::span<const std::uint32_t> vertices = faces_.vertices(face);
-  const RationalPoint3 first = exact_point(points_[vertices[0]]);
+  RationalPoint3 first = exact_point(points_[vertices[0]]);
   if (face.dimension == 0) return first;
   if (face.dimension == 1) return (first + exact_point(points_[vertices[1]])) * (Rational(1) / Rational(2));
   if (face.dimension == 2) {

@@ -9,8 +9,6 @@ namespace quoin {
 
 namespace {
 
-using flow::Circle;
-using flow::Vector;
 
 std::vector<Point3> points_of(const Delaunay3& triangulation) {
   std::vector<Point3> points;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -69,10 +70,11 @@ class CellVolume {
     }
     // A grid of 2^lo: its cube.
     product *= Integer(48);
+    const std::size_t shift = std::size_t{3} * static_cast<std::size_t>(std::abs(lo_));
     if (lo_ < 0) {
-      product <<= static_cast<std::size_t>(-3 * lo_);
+      product <<= shift;
     } else {
-      sum <<= static_cast<std::size_t>(3 * lo_);
+      sum <<= shift;
     }
     return {sum, product};
   }
