@@ -9,7 +9,6 @@ namespace quoin {
 
 namespace {
 
-
 std::vector<Point3> points_of(const Delaunay3& triangulation) {
   std::vector<Point3> points;
   for (std::uint32_t v = 0; v < triangulation.vertex_count(); ++v) points.push_back(triangulation.point(v));
