@@ -11,6 +11,7 @@
 #include "quoin/base/error.h"
 #include "quoin/triangulation/cell_array.h"
 #include "quoin/triangulation/cell_pool.h"
+#include "quoin/triangulation/conflict_region3.h"
 #include "quoin/triangulation/rank_region.h"
 #include "quoin/triangulation/star_numbers.h"
 
@@ -33,7 +34,8 @@ class IncrementalTriangulation {
     late  ///< it would change what is not its region's, or there is no room; nothing has changed
   };
 
-  IncrementalTriangulation(const Signs& signs, CellArray& cells) : signs_(signs), cells_(cells) {
+  IncrementalTriangulation(const Signs& signs, CellArray& cells)
+      : signs_(signs), cells_(cells), conflict_(signs, cells) {
     table_.resize(most_local * most_local);
   }
 
@@ -104,10 +106,10 @@ class IncrementalTriangulation {
     const std::uint32_t found = locate(q, region);
     if (found == no_cell) return Place::late;
     if constexpr (Signs::may_hide) {
-      if (!is_in_conflict(cells_[found], q)) return Place::hidden;
+      if (!conflict_.has(found, q)) return Place::hidden;
     }
-    if (!gather(found, q, region)) {
-      for (const std::uint32_t cell : dead_) cells_[cell].vertices[0] &= ~mark;
+    if (!conflict_.find(found, q, region) || !has_room_for_star<Region>()) {
+      conflict_.release();
       return Place::late;
     }
     if constexpr (Signs::may_hide) collect_vertices();
@@ -115,7 +117,7 @@ class IncrementalTriangulation {
     if constexpr (Signs::may_hide) {
       for (const std::uint32_t v : inner_) when_hidden(v);
     }
-    for (std::size_t k = facets_.size(); k < dead_.size(); ++k) pool_.add(dead_[k]);
+    for (std::size_t k = conflict_.facets().size(); k < conflict_.cells().size(); ++k) pool_.add(conflict_.cells()[k]);
     last_ = new_cells_.back();
     return Place::inserted;
   }
@@ -144,63 +146,19 @@ class IncrementalTriangulation {
   static constexpr std::size_t most_cells = std::size_t{1} << 30;
 
  private:
-  static constexpr std::uint32_t mark = 0x80000000U;         // on the first vertex of a cell that goes, or went
+  using Conflict = ConflictRegion3<Signs>;
+  using Facet = typename Conflict::Facet;
+  static constexpr std::uint32_t mark = Conflict::mark;
   static constexpr unsigned most_local = StarNumbers::most;  // vertices of a star in the table; the last is infinity
 
-  /// Between a cell that goes and one that stays: its vertices as in facet_slots, and the one that stays.
-  struct Facet {
-    std::uint32_t outer;
-    std::array<std::uint32_t, 3> vertices;
-  };
-
-  bool is_in_conflict(const TriangulationCell& cell, std::uint32_t q) const {
-    const auto& v = cell.vertices;
-    if (v[3] != vertex_at_infinity) [[likely]]
-      return signs_.in_conflict(v[0], v[1], v[2], v[3], q);
-    const int side = signs_.orientation(v[0], v[1], v[2], q);
-    if (side != 0) return side > 0;
-    // In the plane of the facet: its circle is where every sphere through it meets the plane.
-    auto w = cells_[cell.neighbours[3] >> 2].vertices;
-    w[0] &= ~mark;
-    return signs_.in_conflict(w[0], w[1], w[2], w[3], q);
-  }
-
-  void take(std::uint32_t cell) {
-    cells_[cell].vertices[0] |= mark;
-    dead_.push_back(cell);
-    for (const std::uint32_t next : cells_[cell].neighbours) __builtin_prefetch(&cells_[next >> 2]);
-  }
-
-  /// False where a cell is not the region's, or there are too few for what comes.
   template <class Region>
-  bool gather(std::uint32_t found, std::uint32_t q, const Region& region) {
-    dead_.clear();
-    facets_.clear();
-    if (!region.owns(cells_[found].vertices)) return false;
-    take(found);
-    // The list grows on the way.
-    for (std::size_t k = 0; k < dead_.size(); ++k) {  // NOLINT(modernize-loop-convert)
-      const TriangulationCell cell = cells_[dead_[k]];
-      std::array<std::uint32_t, 4> v = cell.vertices;
-      v[0] &= ~mark;
-      for (unsigned i = 0; i < 4; ++i) {
-        const std::uint32_t next = cell.neighbours[i] >> 2;
-        if ((cells_[next].vertices[0] & mark) != 0) continue;
-        if (is_in_conflict(cells_[next], q)) {
-          if (!region.owns(cells_[next].vertices)) return false;
-          take(next);
-        } else {
-          const auto& [a, b, c] = facet_slots[i];
-          facets_.push_back({cell.neighbours[i], {v[a], v[b], v[c]}});
-        }
-      }
-    }
-    has_room_ = Region::may_grow || facets_.size() <= dead_.size() + pool_.size();
+  bool has_room_for_star() {
+    has_room_ = Region::may_grow || conflict_.facets().size() <= conflict_.cells().size() + pool_.size();
     return has_room_;
   }
 
   std::uint32_t new_cell(std::size_t k) {
-    if (k < dead_.size()) return dead_[k];
+    if (k < conflict_.cells().size()) return conflict_.cells()[k];
     if (pool_.size() > 0) return pool_.take();
     // Neighbours are four codes of 32 bits for each cell.
     if (cells_.size() >= most_cells) throw InputError("the triangulation has more than 2^30 cells");
@@ -235,9 +193,10 @@ class IncrementalTriangulation {
     new_cells_.clear();
     facet_numbers_.clear();
     numbers_.clear();
-    if (facets_.size() > 2 * (most_local - 2) - 4) return false;  // a sphere of more triangles has more vertices
-    for (std::size_t k = 0; k < facets_.size(); ++k) {
-      const Facet& facet = facets_[k];
+    if (conflict_.facets().size() > 2 * (most_local - 2) - 4)
+      return false;  // a sphere of more triangles has more vertices
+    for (std::size_t k = 0; k < conflict_.facets().size(); ++k) {
+      const Facet& facet = conflict_.facets()[k];
       const std::array<unsigned, 3> l{local_number(facet.vertices[0]), local_number(facet.vertices[1]),
                                       local_number(facet.vertices[2])};
       const std::uint32_t id = new_cell(k);
@@ -249,9 +208,9 @@ class IncrementalTriangulation {
       table_[l[1] * most_local + l[2]] = id * 4 + slots[0];
       table_[l[2] * most_local + l[0]] = id * 4 + slots[1];
     }
-    for (std::size_t k = 0; k < facets_.size(); ++k) {
+    for (std::size_t k = 0; k < conflict_.facets().size(); ++k) {
       const auto& l = facet_numbers_[k];
-      const auto slots = slots_of(facets_[k]);
+      const auto slots = slots_of(conflict_.facets()[k]);
       TriangulationCell& cell = cells_[new_cells_[k]];
       cell.neighbours[slots[2]] = table_[l[1] * most_local + l[0]];
       cell.neighbours[slots[0]] = table_[l[2] * most_local + l[1]];
@@ -262,8 +221,8 @@ class IncrementalTriangulation {
 
   void fill_by_sorting(std::uint32_t q) {
     edges_.clear();
-    for (std::size_t k = 0; k < facets_.size(); ++k) {
-      const Facet& facet = facets_[k];
+    for (std::size_t k = 0; k < conflict_.facets().size(); ++k) {
+      const Facet& facet = conflict_.facets()[k];
       const std::uint32_t id = new_cell(k);
       new_cells_.push_back(id);
       write_cell(id, facet, q);
@@ -287,10 +246,11 @@ class IncrementalTriangulation {
   void collect_vertices() {
     inner_.clear();
     outer_.clear();
-    for (const std::uint32_t cell : dead_) {
+    for (const std::uint32_t cell : conflict_.cells()) {
       for (const std::uint32_t v : cells_[cell].vertices) inner_.push_back(v & ~mark);
     }
-    for (const Facet& facet : facets_) outer_.insert(outer_.end(), facet.vertices.begin(), facet.vertices.end());
+    for (const Facet& facet : conflict_.facets())
+      outer_.insert(outer_.end(), facet.vertices.begin(), facet.vertices.end());
     for (auto* list : {&inner_, &outer_}) {
       std::sort(list->begin(), list->end());
       list->erase(std::unique(list->begin(), list->end()), list->end());
@@ -306,8 +266,7 @@ class IncrementalTriangulation {
   bool has_room_ = true;
   StarNumbers numbers_;
   std::vector<std::uint32_t> table_;
-  std::vector<std::uint32_t> dead_;
-  std::vector<Facet> facets_;
+  Conflict conflict_;
   std::vector<std::uint32_t> new_cells_;
   std::vector<std::array<unsigned, 3>> facet_numbers_;
   std::vector<std::pair<std::uint64_t, std::uint32_t>> edges_;
