@@ -186,7 +186,7 @@ PersistenceDiagram run_persistence_of(const AlphaComplex& alpha, Json& report, c
   const PersistenceOptions how{.prime = prime_of(options)};
   const GradeValues values{[&](std::uint32_t grade) { return std::clamp(alpha.value(grade), -largest, largest); },
                            [&](std::uint32_t grade) { return alpha.exact_value(grade).to_string(); }, options.exact};
-  PersistenceDiagram diagram(alpha.filtration(), values, persistence(alpha.filtration(), how, context));
+  PersistenceDiagram diagram(alpha.filtration(), values, persistence(alpha.filtration(), how, context), context);
   diagram.write(options);
   report["prime"] = how.prime;
   diagram.add_to(report, options.json);

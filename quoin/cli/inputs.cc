@@ -155,17 +155,6 @@ std::shared_ptr<const Brep> load_boundary(const std::string& name, const Options
   return Solid::from_leaf(std::move(leaf), context).shared_boundary();
 }
 
-std::string read_all(const std::string& name) {
-  if (name != standard_stream) return read_file(name);
-  std::string bytes{std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
-  if (std::cin.bad()) throw FileError("standard input: cannot be read");
-  return bytes;
-}
-
-std::string shown(const std::string& name) {
-  return name == standard_stream ? "standard input" : name;
-}
-
 std::string in_small_letters(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });

@@ -8,6 +8,7 @@
 
 #include "quoin/base/context.h"
 #include "quoin/cli/options.h"
+#include "quoin/cli/whole_input.h"
 #include "quoin/io/mesh_file.h"
 #include "quoin/solid/solid.h"
 
@@ -53,12 +54,6 @@ std::vector<Solid> load_operands(const std::vector<std::string>& names, const Op
 /// Reads a boundary: exact text as it is, a mesh with its coplanar faces merged. @throws InputError as load_operand
 std::shared_ptr<const Brep> load_boundary(const std::string& name, const Options& options,
                                           std::vector<std::string>& warnings, const Context& context);
-
-/// All of a file, or of standard input for "-". @throws FileError
-std::string read_all(const std::string& name);
-
-/// The name for people: that of the file, or "standard input".
-std::string shown(const std::string& name);
 
 std::string in_small_letters(std::string text);
 

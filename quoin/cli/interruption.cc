@@ -30,6 +30,10 @@ InterruptionGuard::~InterruptionGuard() {
   running = nullptr;
 }
 
+void poll_running() {
+  if (const Context* context = running.load()) context->poll();
+}
+
 bool was_interrupted() {
   return interrupted;
 }

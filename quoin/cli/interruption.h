@@ -14,6 +14,10 @@ class InterruptionGuard {
   InterruptionGuard& operator=(const InterruptionGuard&) = delete;
 };
 
+/// Polls the context of the guard that there is, if there is one: for what reads and writes, far from what computes.
+/// @throws Cancelled
+void poll_running();
+
 /// Whether such a signal has come: whatever has failed since then may have failed for it.
 bool was_interrupted();
 

@@ -20,19 +20,17 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// Nearest doubles, the largest ones for what is beyond; exact ones are told if some are no doubles.
-GradeValues values_of(const std::vector<Rational>& values) {
+GradeValues values_of(const std::vector<Rational>& values, const Context& context) {
   const auto rounded = [&values](std::uint32_t grade) {
     return std::clamp(values[grade].to_double(), std::numeric_limits<double>::lowest(),
                       std::numeric_limits<double>::max());
   };
-  const auto is_double = [=, &values](std::uint32_t grade) { return Rational(rounded(grade)) == values[grade]; };
   bool are_doubles = true;
-  for (std::uint32_t grade = 0; grade < values.size(); ++grade) are_doubles = are_doubles && is_double(grade);
-  return {rounded,
-          [=, &values](std::uint32_t grade) {
-            return is_double(grade) ? Json(rounded(grade)).dump() : values[grade].to_string();
-          },
-          !are_doubles};
+  for (std::uint32_t grade = 0; grade < values.size() && are_doubles; ++grade) {
+    if (grade % 1024 == 0) context.poll();
+    are_doubles = Rational(rounded(grade)) == values[grade];
+  }
+  return {rounded, [&values](std::uint32_t grade) { return values[grade].to_string(); }, !are_doubles};
 }
 
 Filtration filtration_of_text(const FiltrationText& text, const std::string& name, const Context& context) {
@@ -55,7 +53,8 @@ int run_persistence(const Options& options, const Context& context) {
     warnings.push_back(shown(name) + ": " + std::to_string(filtration.added_faces) +
                        " faces are not listed: each enters with the first simplex that has it");
   }
-  const PersistenceDiagram diagram(filtration, values_of(text.values), persistence(filtration, how, context));
+  const PersistenceDiagram diagram(filtration, values_of(text.values, context), persistence(filtration, how, context),
+                                   context);
   diagram.write(options);
   Json counts = Json::array();
   for (int k = 0; k <= filtration.complex.dimension(); ++k) counts.push_back(filtration.complex.count(k));

@@ -14,10 +14,20 @@ namespace quoin::cli {
 
 using Json = nlohmann::ordered_json;
 
+namespace {
+
+constexpr std::size_t poll_step = 1024;
+
+}  // namespace
+
 PersistenceDiagram::PersistenceDiagram(const Filtration& filtration, GradeValues values,
-                                       std::span<const PersistencePair> pairs)
-    : values_(std::move(values)), degrees_(static_cast<std::size_t>(filtration.complex.dimension() + 1)) {
+                                       std::span<const PersistencePair> pairs, const Context& context)
+    : values_(std::move(values)),
+      context_(context),
+      degrees_(static_cast<std::size_t>(filtration.complex.dimension() + 1)) {
+  std::size_t seen = 0;
   for (const PersistencePair& pair : pairs) {
+    if (++seen % poll_step == 0) context.poll();
     const auto k = static_cast<std::size_t>(pair.degree);
     Interval interval{filtration.grade[k][pair.birth], PersistencePair::never, 0,
                       std::numeric_limits<double>::infinity()};
@@ -29,7 +39,8 @@ PersistenceDiagram::PersistenceDiagram(const Filtration& filtration, GradeValues
     degrees_[k].push_back(interval);
   }
   for (std::vector<Interval>& list : degrees_) {
-    std::sort(list.begin(), list.end(), [](const Interval& a, const Interval& b) {
+    std::sort(list.begin(), list.end(), [&](const Interval& a, const Interval& b) {
+      if (++seen % poll_step == 0) context.poll();
       return std::tie(a.birth, a.death) < std::tie(b.birth, b.death);
     });
   }
@@ -57,6 +68,7 @@ Json PersistenceDiagram::lists(const Show& show) const {
   for (const std::vector<Interval>& list : degrees_) {
     Json of_degree = Json::array();
     for (const Interval& i : list) {
+      if (of_degree.size() % poll_step == 0) context_.poll();
       of_degree.push_back({show(i.birth, i.from), i.death == PersistencePair::never ? Json() : show(i.death, i.to)});
     }
     json.push_back(std::move(of_degree));
@@ -76,13 +88,23 @@ std::string PersistenceDiagram::text(bool all) const {
   for (std::size_t k = 0; k < degrees_.size(); ++k) {
     std::vector<Interval> list = degrees_[k];
     if (!all) {
-      std::stable_sort(list.begin(), list.end(),
-                       [&](const Interval& a, const Interval& b) { return half_length(a) > half_length(b); });
-      list.resize(std::min(list.size(), shown_intervals));
+      // The longest first, of equal ones those that come first: intervals are in the order of births and deaths.
+      const auto end = list.begin() + static_cast<std::ptrdiff_t>(std::min(list.size(), shown_intervals));
+      std::size_t seen = 0;
+      std::partial_sort(list.begin(), end, list.end(), [&](const Interval& a, const Interval& b) {
+        if (++seen % poll_step == 0) context_.poll();
+        const double first = half_length(a);
+        const double second = half_length(b);
+        return first != second ? first > second : std::tie(a.birth, a.death) < std::tie(b.birth, b.death);
+      });
+      list.erase(end, list.end());
     }
     result += "degree " + std::to_string(k) + ": " + std::to_string(degrees_[k].size()) + " intervals" +
               (list.size() < degrees_[k].size() ? ", the longest:\n" : "\n");
-    for (const Interval& i : list) result += "  " + shown(i.birth, i.from) + " to " + shown(i.death, i.to) + "\n";
+    for (const Interval& i : list) {
+      context_.poll();
+      result += "  " + shown(i.birth, i.from) + " to " + shown(i.death, i.to) + "\n";
+    }
   }
   return result;
 }

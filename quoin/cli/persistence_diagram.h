@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "quoin/base/context.h"
 #include "quoin/cli/options.h"
 #include "quoin/topology/filtration.h"
 #include "quoin/topology/persistence.h"
@@ -25,8 +26,9 @@ struct GradeValues {
 /// The intervals of classes of homology as commands report and draw them.
 class PersistenceDiagram {
  public:
-  /// By degree, then by birth and death. `values` are asked now and later.
-  PersistenceDiagram(const Filtration& filtration, GradeValues values, std::span<const PersistencePair> pairs);
+  /// By degree, then by birth and death. `values` are asked now and later; the context is polled all the while.
+  PersistenceDiagram(const Filtration& filtration, GradeValues values, std::span<const PersistencePair> pairs,
+                     const Context& context);
 
   /// Adds `pairs` and `essential`, and if `lists_all` `intervals`, with exact values `exact_intervals`.
   void add_to(nlohmann::ordered_json& report, bool lists_all) const;
@@ -51,6 +53,7 @@ class PersistenceDiagram {
   std::vector<PersistenceInterval> drawn() const;
 
   GradeValues values_;
+  const Context& context_;
   std::vector<std::vector<Interval>> degrees_;
 };
 

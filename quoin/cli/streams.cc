@@ -10,6 +10,7 @@
 #include <iostream>
 
 #include "quoin/base/error.h"
+#include "quoin/cli/polled_output.h"
 
 namespace quoin::cli {
 
@@ -67,8 +68,15 @@ std::ostream& note_stream() {
 }
 
 void print_json(const nlohmann::ordered_json& json, const Options& options) {
-  using Handler = nlohmann::ordered_json::error_handler_t;
-  report_stream(options) << json.dump(2, ' ', false, Handler::replace) << "\n";  // names of files may be any bytes
+  using Json = nlohmann::ordered_json;
+  std::ostream& report = report_stream(options);
+  PolledBuffer buffer(report);
+  std::ostream out(&buffer);
+  out.exceptions(std::ios::badbit);  // what ends it is not swallowed
+  nlohmann::detail::serializer<Json> serializer(nlohmann::detail::output_adapter<char>(out), ' ',
+                                                Json::error_handler_t::replace);  // names of files may be any bytes
+  serializer.dump(json, true, false, 2);
+  report << "\n";
 }
 
 void flush_standard_output() {

@@ -22,6 +22,7 @@ std::ostream& report_stream(const Options& options);
 /// Where warnings and errors go.
 std::ostream& note_stream();
 
+/// Reports; may be long, so it polls. @throws Cancelled
 void print_json(const nlohmann::ordered_json& json, const Options& options);
 
 /// @throws FileError  something written to standard output did not arrive

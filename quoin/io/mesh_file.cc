@@ -32,7 +32,8 @@ struct FileBytes {
   std::string_view view() const { return {data.get(), size}; }
 };
 
-FileBytes read_bytes(const std::filesystem::path& path) {
+FileBytes read_bytes(const std::filesystem::path& path, const Context& context) {
+  constexpr std::size_t most_at_once = std::size_t{1} << 20;
   const std::string name = path.string();
   std::error_code error;
   if (std::filesystem::is_directory(path, error)) throw FileError(name + ": is a directory");
@@ -42,9 +43,12 @@ FileBytes read_bytes(const std::filesystem::path& path) {
   std::size_t capacity = error ? 65536 : static_cast<std::size_t>(expected) + 1;  // one more, to meet the end
   FileBytes bytes{std::make_unique_for_overwrite<char[]>(capacity)};
   for (;;) {
-    const std::size_t read = std::fread(bytes.data.get() + bytes.size, 1, capacity - bytes.size, file.get());
+    context.poll();
+    const std::size_t wanted = std::min(most_at_once, capacity - bytes.size);
+    const std::size_t read = std::fread(bytes.data.get() + bytes.size, 1, wanted, file.get());
     bytes.size += read;
-    if (bytes.size < capacity) break;
+    if (read < wanted) break;
+    if (bytes.size < capacity) continue;
     auto larger = std::make_unique_for_overwrite<char[]>(2 * capacity);
     std::memcpy(larger.get(), bytes.data.get(), bytes.size);
     bytes.data = std::move(larger);
@@ -100,7 +104,7 @@ std::optional<MeshFormat> format_from_path(const std::filesystem::path& path) {
 }
 
 std::string read_file(const std::filesystem::path& path) {
-  const FileBytes bytes = read_bytes(path);
+  const FileBytes bytes = read_bytes(path, Context({.threads = 1}));
   return std::string(bytes.view());
 }
 
@@ -124,7 +128,7 @@ MeshFile read_mesh(std::string_view bytes, const std::string& name, const ReadOp
 }
 
 MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options, const Context& context) {
-  const FileBytes bytes = read_bytes(path);
+  const FileBytes bytes = read_bytes(path, context);
   return read_mesh(bytes.view(), path.string(), options, context);
 }
 
