@@ -14,6 +14,11 @@ class CellPool {
  public:
   std::size_t size() const { return singles_.size() + fresh_; }
 
+  /// Room for so many more single ones.
+  void reserve(std::size_t count) {
+    const std::size_t size = singles_.size() + count;
+    if (size > singles_.capacity()) singles_.reserve(std::max(size, 2 * singles_.capacity()));
+  }
   void add(std::uint32_t cell) { singles_.push_back(cell); }
   void add_run(std::uint32_t begin, std::uint32_t end) {
     if (begin == end) return;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "quoin/triangulation/cell_array.h"
+#include "quoin/triangulation/star_writer.h"
 
 namespace quoin {
 
@@ -18,12 +19,6 @@ template <class Signs>
 class ConflictRegion3 {
  public:
   static constexpr std::uint32_t mark = 0x80000000U;  ///< on the first vertex of a cell that goes, or went
-
-  /// Between a cell that goes and one that stays: its vertices as in facet_slots, and the one that stays.
-  struct Facet {
-    std::uint32_t outer;
-    std::array<std::uint32_t, 3> vertices;
-  };
 
   ConflictRegion3(const Signs& signs, CellArray& cells) : signs_(signs), cells_(cells) {}
 
@@ -40,7 +35,8 @@ class ConflictRegion3 {
     return signs_.in_conflict(w[0], w[1], w[2], w[3], q);
   }
 
-  /// Finds all from one of them, and marks them; false where one of them is not the region's.
+  /// Finds all from one of them, and marks them; false where one of them is not the region's. Those
+  /// found stay marked then too, and where it throws.
   template <class Region>
   bool find(std::uint32_t found, std::uint32_t q, const Region& region) {
     taken_.clear();
@@ -59,7 +55,7 @@ class ConflictRegion3 {
 
   /// Cells that go, in the order in which they were found.
   const std::vector<std::uint32_t>& cells() const { return taken_; }
-  const std::vector<Facet>& facets() const { return facets_; }
+  const std::vector<HoleFacet>& facets() const { return facets_; }
 
   /// They stay.
   void release() {
@@ -76,8 +72,8 @@ class ConflictRegion3 {
   static constexpr std::size_t most_at_once = 2;  // cells; more meet the same neighbours more often
 
   void take(std::uint32_t cell) {
-    cells_[cell].vertices[0] |= mark;
     taken_.push_back(cell);
+    cells_[cell].vertices[0] |= mark;
     for (const std::uint32_t next : cells_[cell].neighbours) __builtin_prefetch(&cells_[next >> 2]);
   }
 
@@ -117,7 +113,7 @@ class ConflictRegion3 {
   const Signs& signs_;
   CellArray& cells_;
   std::vector<std::uint32_t> taken_;
-  std::vector<Facet> facets_;
+  std::vector<HoleFacet> facets_;
   std::array<Tested, 4 * most_at_once> tested_{};
   std::size_t tested_count_ = 0;
 };

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -13,7 +14,7 @@
 #include "quoin/triangulation/cell_pool.h"
 #include "quoin/triangulation/conflict_region3.h"
 #include "quoin/triangulation/rank_region.h"
-#include "quoin/triangulation/star_numbers.h"
+#include "quoin/triangulation/star_writer.h"
 
 namespace quoin {
 
@@ -23,7 +24,8 @@ namespace quoin {
 /// `Signs` owns all geometry: `orientation` of four vertices and `in_conflict` of a cell of finite vertices and a
 /// fifth. It must be that of a regular triangulation; then walks end (Edelsbrunner 1990) and holes are star-shaped.
 /// Where `Signs::may_hide`, a point may be in conflict with no cell, or the last one of all cells of another vertex.
-/// Several threads may have one of these each, on the same cells, each for points of a region of its own.
+/// Several threads may have one of these each, on the same cells, each for points of a region of its own. Where an
+/// insertion fails, by want of memory or a region that throws, the cells are as they were.
 /// Expected O(1) cells per point for points in insertion rounds, after the walk. Source: Bowyer 1981; Watson 1981.
 template <class Signs>
 class IncrementalTriangulation {
@@ -35,9 +37,7 @@ class IncrementalTriangulation {
   };
 
   IncrementalTriangulation(const Signs& signs, CellArray& cells)
-      : signs_(signs), cells_(cells), conflict_(signs, cells) {
-    table_.resize(most_local * most_local);
-  }
+      : signs_(signs), cells_(cells), star_(cells), conflict_(signs, cells) {}
 
   /// The first cell, of four vertices in any order that are not coplanar, and its ghosts.
   void start(std::array<std::uint32_t, 4> v) {
@@ -58,6 +58,7 @@ class IncrementalTriangulation {
         cells_[i + 1].neighbours[slot] = (opposite[slot] + 1) * 4 + there;
       }
     }
+    pool_ = {};
     last_ = 0;
   }
 
@@ -102,25 +103,42 @@ class IncrementalTriangulation {
 
   /// `when_hidden` is called with each vertex that the new one hides.
   template <class Region, class WhenHidden>
-  Place insert(std::uint32_t q, const Region& region, [[maybe_unused]] const WhenHidden& when_hidden) {
+  Place insert(std::uint32_t q, const Region& region, const WhenHidden& when_hidden) {
     const std::uint32_t found = locate(q, region);
-    if (found == no_cell) return Place::late;
+    return found == no_cell ? Place::late : insert_at(found, q, region, when_hidden);
+  }
+
+  /// The same where the cell is known that `locate` would find.
+  template <class Region, class WhenHidden>
+  Place insert_at(std::uint32_t found, std::uint32_t q, const Region& region,
+                  [[maybe_unused]] const WhenHidden& when_hidden) {
     if constexpr (Signs::may_hide) {
       if (!conflict_.has(found, q)) return Place::hidden;
     }
-    if (!conflict_.find(found, q, region) || !has_room_for_star<Region>()) {
-      conflict_.release();
-      return Place::late;
-    }
-    if constexpr (Signs::may_hide) collect_vertices();
-    if (!fill_by_table(q)) fill_by_sorting(q);
+    if (!open(found, q, region)) return Place::late;
+    new_cells_.clear();
+    for (std::size_t k = 0; k < facets().size(); ++k) new_cells_.push_back(new_cell(k));
+    star_.write(facets(), new_cells_, q);
     if constexpr (Signs::may_hide) {
       for (const std::uint32_t v : inner_) when_hidden(v);
     }
-    for (std::size_t k = conflict_.facets().size(); k < conflict_.cells().size(); ++k) pool_.add(conflict_.cells()[k]);
+    for (std::size_t k = facets().size(); k < conflicts().size(); ++k) pool_.add(conflicts()[k]);
     last_ = new_cells_.back();
     return Place::inserted;
   }
+
+  /// The cells that the last insertion made.
+  std::span<const std::uint32_t> new_cells() const { return new_cells_; }
+
+  /// Finds the cells in conflict with a vertex that is not inserted, and marks them until `close`.
+  template <class Region>
+  void find_conflicts(std::uint32_t q, const Region& region) {
+    if (!open(locate(q, region), q, region)) throw InternalError("a region does not own its cells");
+  }
+  void close() { conflict_.release(); }
+  /// The cells in conflict, and what is between them and all others.
+  std::span<const std::uint32_t> conflicts() const { return conflict_.cells(); }
+  std::span<const HoleFacet> facets() const { return conflict_.facets(); }
 
   /// Cells that are of no use move out of the array.
   void compact() {
@@ -146,111 +164,63 @@ class IncrementalTriangulation {
   static constexpr std::size_t most_cells = std::size_t{1} << 30;
 
  private:
-  using Conflict = ConflictRegion3<Signs>;
-  using Facet = typename Conflict::Facet;
-  static constexpr std::uint32_t mark = Conflict::mark;
-  static constexpr unsigned most_local = StarNumbers::most;  // vertices of a star in the table; the last is infinity
+  static constexpr std::uint32_t mark = ConflictRegion3<Signs>::mark;
+
+  /// Marks the cells in conflict and takes all memory that their replacement needs. False where a cell is not the
+  /// region's, or there are too few for what comes; then, and where it throws, none is marked.
+  template <class Region>
+  bool open(std::uint32_t found, std::uint32_t q, const Region& region) {
+    try {
+      if (conflict_.find(found, q, region) && has_room_for_star<Region>()) {
+        reserve<Region::may_grow>();
+        if constexpr (Signs::may_hide) collect_vertices();
+        return true;
+      }
+    } catch (...) {
+      close();
+      throw;
+    }
+    close();
+    return false;
+  }
 
   template <class Region>
   bool has_room_for_star() {
-    has_room_ = Region::may_grow || conflict_.facets().size() <= conflict_.cells().size() + pool_.size();
+    has_room_ = Region::may_grow || facets().size() <= conflicts().size() + pool_.size();
     return has_room_;
   }
 
+  /// For a star of as many cells as there are facets. What the pool has not comes from the end of the array.
+  template <bool may_grow>
+  void reserve() {
+    new_cells_.reserve(facets().size());
+    star_.reserve(facets().size());
+    if (conflicts().size() > facets().size()) return pool_.reserve(conflicts().size() - facets().size());
+    if constexpr (may_grow) {
+      const std::size_t from_pool = conflicts().size() + pool_.size();
+      if (facets().size() <= from_pool) return;
+      const std::size_t size = cells_.size() + (facets().size() - from_pool);
+      // Neighbours are four codes of 32 bits for each cell.
+      if (size > most_cells) throw InputError("the triangulation has more than 2^30 cells");
+      if (size > cells_.capacity()) cells_.reserve(std::max(size, 2 * cells_.capacity()));
+    }
+  }
+
   std::uint32_t new_cell(std::size_t k) {
-    if (k < conflict_.cells().size()) return conflict_.cells()[k];
+    if (k < conflicts().size()) return conflicts()[k];
     if (pool_.size() > 0) return pool_.take();
-    // Neighbours are four codes of 32 bits for each cell.
-    if (cells_.size() >= most_cells) throw InputError("the triangulation has more than 2^30 cells");
     cells_.emplace_back();
     return static_cast<std::uint32_t>(cells_.size() - 1);
-  }
-
-  /// The cell of a facet and q; the slots of the facet's vertices and of q are those of `slots_of`.
-  void write_cell(std::uint32_t id, const Facet& facet, std::uint32_t q) {
-    const auto& [a, b, c] = facet.vertices;
-    TriangulationCell& cell = cells_[id];
-    const bool is_ghost = c == vertex_at_infinity;
-    if (is_ghost) {
-      cell.vertices = {b, a, q, c};
-    } else {
-      cell.vertices = {a, b, c, q};
-    }
-    const std::uint32_t apex = is_ghost ? 2 : 3;
-    cell.neighbours[apex] = facet.outer;
-    cells_[facet.outer >> 2].neighbours[facet.outer & 3] = id * 4 + apex;
-  }
-
-  static constexpr std::array<std::uint32_t, 3> slots_of(const Facet& facet) {
-    return facet.vertices[2] == vertex_at_infinity ? std::array<std::uint32_t, 3>{1, 0, 3}
-                                                   : std::array<std::uint32_t, 3>{0, 1, 2};
-  }
-
-  unsigned local_number(std::uint32_t v) { return v == vertex_at_infinity ? most_local - 1 : numbers_.number(v); }
-
-  /// Each directed edge of the hole's surface is of one facet, and its reverse of the one beyond.
-  bool fill_by_table(std::uint32_t q) {
-    new_cells_.clear();
-    facet_numbers_.clear();
-    numbers_.clear();
-    if (conflict_.facets().size() > 2 * (most_local - 2) - 4)
-      return false;  // a sphere of more triangles has more vertices
-    for (std::size_t k = 0; k < conflict_.facets().size(); ++k) {
-      const Facet& facet = conflict_.facets()[k];
-      const std::array<unsigned, 3> l{local_number(facet.vertices[0]), local_number(facet.vertices[1]),
-                                      local_number(facet.vertices[2])};
-      const std::uint32_t id = new_cell(k);
-      new_cells_.push_back(id);
-      facet_numbers_.push_back(l);
-      write_cell(id, facet, q);
-      const auto slots = slots_of(facet);
-      table_[l[0] * most_local + l[1]] = id * 4 + slots[2];
-      table_[l[1] * most_local + l[2]] = id * 4 + slots[0];
-      table_[l[2] * most_local + l[0]] = id * 4 + slots[1];
-    }
-    for (std::size_t k = 0; k < conflict_.facets().size(); ++k) {
-      const auto& l = facet_numbers_[k];
-      const auto slots = slots_of(conflict_.facets()[k]);
-      TriangulationCell& cell = cells_[new_cells_[k]];
-      cell.neighbours[slots[2]] = table_[l[1] * most_local + l[0]];
-      cell.neighbours[slots[0]] = table_[l[2] * most_local + l[1]];
-      cell.neighbours[slots[1]] = table_[l[0] * most_local + l[2]];
-    }
-    return true;
-  }
-
-  void fill_by_sorting(std::uint32_t q) {
-    edges_.clear();
-    for (std::size_t k = 0; k < conflict_.facets().size(); ++k) {
-      const Facet& facet = conflict_.facets()[k];
-      const std::uint32_t id = new_cell(k);
-      new_cells_.push_back(id);
-      write_cell(id, facet, q);
-      const auto slots = slots_of(facet);
-      for (unsigned i = 0; i < 3; ++i) {
-        const std::uint32_t from = facet.vertices[i];
-        const std::uint32_t to = facet.vertices[(i + 1) % 3];
-        edges_.push_back({std::uint64_t{std::min(from, to)} << 32 | std::max(from, to), id * 4 + slots[(i + 2) % 3]});
-      }
-    }
-    std::sort(edges_.begin(), edges_.end());
-    for (std::size_t i = 0; i + 1 < edges_.size(); i += 2) {
-      const std::uint32_t one = edges_[i].second;
-      const std::uint32_t other = edges_[i + 1].second;
-      cells_[one >> 2].neighbours[one & 3] = other;
-      cells_[other >> 2].neighbours[other & 3] = one;
-    }
   }
 
   /// Of the cells that go, those on no facet of the hole: they are hidden afterwards.
   void collect_vertices() {
     inner_.clear();
     outer_.clear();
-    for (const std::uint32_t cell : conflict_.cells()) {
+    for (const std::uint32_t cell : conflicts()) {
       for (const std::uint32_t v : cells_[cell].vertices) inner_.push_back(v & ~mark);
     }
-    for (const Facet& facet : conflict_.facets())
-      outer_.insert(outer_.end(), facet.vertices.begin(), facet.vertices.end());
+    for (const HoleFacet& facet : facets()) outer_.insert(outer_.end(), facet.vertices.begin(), facet.vertices.end());
     for (auto* list : {&inner_, &outer_}) {
       std::sort(list->begin(), list->end());
       list->erase(std::unique(list->begin(), list->end()), list->end());
@@ -264,12 +234,9 @@ class IncrementalTriangulation {
   CellArray& cells_;
   CellPool pool_;
   bool has_room_ = true;
-  StarNumbers numbers_;
-  std::vector<std::uint32_t> table_;
-  Conflict conflict_;
+  StarWriter star_;
+  ConflictRegion3<Signs> conflict_;
   std::vector<std::uint32_t> new_cells_;
-  std::vector<std::array<unsigned, 3>> facet_numbers_;
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> edges_;
   std::vector<std::uint32_t> inner_;
   std::vector<std::uint32_t> outer_;
   std::uint32_t last_ = 0;
