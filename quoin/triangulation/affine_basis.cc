@@ -16,14 +16,13 @@ Point2 without(const Point3& p, unsigned axis) {
   return {p[(axis + 1) % 3], p[(axis + 2) % 3]};
 }
 
-/// An axis along which the triangle has an area; 3 if there is none.
-unsigned axis_of(const Point3& a, const Point3& b, const Point3& c) {
+}  // namespace
+
+unsigned normal_axis(const Point3& a, const Point3& b, const Point3& c) {
   unsigned axis = 0;
   while (axis < 3 && orientation(without(a, axis), without(b, axis), without(c, axis)) == Sign::zero) ++axis;
   return axis;
 }
-
-}  // namespace
 
 AffineBasis affine_basis(std::span<const Point3> points, const Context& context) {
   AffineBasis basis;
@@ -33,7 +32,7 @@ AffineBasis affine_basis(std::span<const Point3> points, const Context& context)
   std::uint32_t next = 2;
   for (; next < points.size(); ++next) {
     if (next % 1024 == 0) context.poll();
-    basis.normal_axis = axis_of(points[0], points[1], points[next]);
+    basis.normal_axis = normal_axis(points[0], points[1], points[next]);
     if (basis.normal_axis < 3) break;
   }
   if (next == points.size()) return basis;

@@ -26,6 +26,8 @@ class CellPool {
     fresh_ += end - begin;
   }
 
+  /// Single ones are then taken from the end of the array first.
+  void sort() { std::sort(singles_.begin(), singles_.end()); }
   /// Of a pool that is not empty.
   std::uint32_t take() {
     if (!singles_.empty()) {

@@ -6,9 +6,10 @@
 
 namespace quoin {
 
-std::vector<std::uint32_t> VertexStars::star(std::uint32_t vertex) const {
+void find_star(std::span<const TriangulationCell> cells, unsigned size, std::uint32_t vertex, std::uint32_t first,
+               std::vector<std::uint32_t>& list) {
   constexpr std::size_t few = 64;
-  std::vector<std::uint32_t> list{first_[vertex]};
+  list.assign(1, first);
   std::unordered_set<std::uint32_t> seen;  // once the list is too long to be searched
   const auto is_seen = [&](std::uint32_t c) {
     if (list.size() < few) return std::find(list.begin(), list.end(), c) != list.end();
@@ -17,25 +18,36 @@ std::vector<std::uint32_t> VertexStars::star(std::uint32_t vertex) const {
   };
   for (std::size_t k = 0; k < list.size(); ++k) {
     const std::uint32_t c = list[k];
-    for (unsigned i = 0; i < size_; ++i) {
-      if (cells_[c].vertices[i] == vertex) continue;
-      const std::uint32_t next = cells_[c].neighbours[i] >> 2;
+    for (unsigned i = 0; i < size; ++i) {
+      if (cells[c].vertices[i] == vertex) continue;
+      const std::uint32_t next = cells[c].neighbours[i] >> 2;
       if (!is_seen(next)) list.push_back(next);
     }
   }
-  return list;
 }
 
-std::vector<std::uint32_t> VertexStars::neighbours(std::uint32_t vertex) const {
-  std::vector<std::uint32_t> list;
-  for (const std::uint32_t c : star(vertex)) {
-    for (unsigned i = 0; i < size_; ++i) {
-      const std::uint32_t v = cells_[c].vertices[i];
+void find_link_vertices(std::span<const TriangulationCell> cells, unsigned size, std::uint32_t vertex,
+                        std::span<const std::uint32_t> star, std::vector<std::uint32_t>& list) {
+  list.clear();
+  for (const std::uint32_t c : star) {
+    for (unsigned i = 0; i < size; ++i) {
+      const std::uint32_t v = cells[c].vertices[i];
       if (v != vertex && v != vertex_at_infinity) list.push_back(v);
     }
   }
   std::sort(list.begin(), list.end());
   list.erase(std::unique(list.begin(), list.end()), list.end());
+}
+
+std::vector<std::uint32_t> VertexStars::star(std::uint32_t vertex) const {
+  std::vector<std::uint32_t> list;
+  find_star(cells_, size_, vertex, first_[vertex], list);
+  return list;
+}
+
+std::vector<std::uint32_t> VertexStars::neighbours(std::uint32_t vertex) const {
+  std::vector<std::uint32_t> list;
+  find_link_vertices(cells_, size_, vertex, star(vertex), list);
   return list;
 }
 

@@ -7,6 +7,7 @@
 
 #include "quoin/triangulation/affine_basis.h"
 #include "quoin/triangulation/canonical_cells.h"
+#include "quoin/triangulation/delaunay_cells.h"
 #include "quoin/triangulation/flat_cells.h"
 #include "quoin/triangulation/insertion_rounds.h"
 
@@ -31,8 +32,7 @@ void Delaunay3::triangulate(const AffineBasis& basis, const InsertionSplit& spli
   const auto apex = static_cast<std::uint32_t>(vertex_count_);
   const std::vector<std::uint32_t>& v = basis.vertices;
   if (dimension_ == 2) points_.points.push_back(point_off_plane(points_.all(), basis));
-  cells_ = insert_in_rounds(
-      signs(), vertex_count_, {v[0], v[1], v[2], dimension_ == 2 ? apex : v[3]}, context, [](std::uint32_t) {}, split);
+  cells_ = delaunay_cells(signs(), vertex_count_, {v[0], v[1], v[2], dimension_ == 2 ? apex : v[3]}, split, context);
   if (dimension_ == 2) cells_ = without_apex(cells_, apex);
 }
 

@@ -23,35 +23,42 @@ constexpr double orientation_error = 5.2e-15;
 
 }  // namespace
 
-PointExtent::PointExtent(std::span<const Point3> points) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  std::array<double, 3> low{infinity, infinity, infinity};
-  std::array<double, 3> high{-infinity, -infinity, -infinity};
-  int lowest = 2000;
-  for (const Point3& p : points) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double v = p[axis];
-      low[axis] = std::min(low[axis], v);
-      high[axis] = std::max(high[axis], v);
-      lowest = std::min(lowest, detail::lowest_bit(v));
-    }
-  }
-  x = high[0] - low[0];
-  y = high[1] - low[1];
-  z = high[2] - low[2];
+void GrowingExtent::add(const Point3& p) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    largest = std::max({largest, std::fabs(low[axis]), std::fabs(high[axis])});
+    const double v = p[axis];
+    low_[axis] = std::min(low_[axis], v);
+    high_[axis] = std::max(high_[axis], v);
+    lowest_bit_ = std::min(lowest_bit_, detail::lowest_bit(v));
+  }
+}
+
+PointExtent GrowingExtent::extent() const {
+  PointExtent extent;
+  extent.x = high_[0] - low_[0];
+  extent.y = high_[1] - low_[1];
+  extent.z = high_[2] - low_[2];
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    extent.largest = std::max({extent.largest, std::fabs(low_[axis]), std::fabs(high_[axis])});
   }
   // Fifth powers of it must be doubles that do not lose bits.
-  if (lowest >= -200 && lowest <= 200) grid = std::ldexp(1.0, lowest);
+  if (lowest_bit_ >= -200 && lowest_bit_ <= 200) extent.grid = std::ldexp(1.0, lowest_bit_);
+  return extent;
+}
+
+PointExtent::PointExtent(std::span<const Point3> points) {
+  GrowingExtent growing;
+  for (const Point3& p : points) growing.add(p);
+  *this = growing.extent();
 }
 
 DelaunaySigns::DelaunaySigns(std::span<const Point3> points, bool is_flat)
+    : DelaunaySigns(points, PointExtent(points), is_flat ? static_cast<std::uint32_t>(points.size() - 1) : no_vertex) {}
+
+DelaunaySigns::DelaunaySigns(std::span<const Point3> points, const PointExtent& extent, std::uint32_t apex)
     : points_(points.data()),
-      apex_(is_flat ? static_cast<std::uint32_t>(points.size() - 1) : no_vertex),
+      apex_(apex),
       orientation_bound_(std::numeric_limits<double>::infinity()),
       sphere_bound_(std::numeric_limits<double>::infinity()) {
-  const PointExtent extent(points);
   const double m = std::max({extent.x, extent.y, extent.z});
   // Of grids: the determinants' terms are multiples of the power of the grid, and below 2^53 times it where 6 XYZ and
   // 72 XYZ M^2 (the sum of the magnitudes of all terms) are; 2^52, as the products round. Where a maximum is below the
@@ -76,8 +83,7 @@ DelaunaySigns::DelaunaySigns(std::span<const Point3> points, bool is_flat)
 int DelaunaySigns::close_orientation(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d,
                                      double value) const {
   if (is_orientation_exact_) return (value > 0) - (value < 0);
-  // The apex has the highest number.
-  if (apex_ != no_vertex && std::max({a, b, c, d}) != apex_) return 0;
+  if (apex_ != no_vertex && a != apex_ && b != apex_ && c != apex_ && d != apex_) return 0;
   const filter::Orientation det(points_[a], points_[b], points_[c], points_[d]);
   if (det.x * det.y * det.z < orientation_grid_) return (value > 0) - (value < 0);
   return to_int(quoin::orientation(points_[a], points_[b], points_[c], points_[d]));

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 #include "quoin/kernel/point.h"
@@ -21,7 +22,23 @@ struct PointExtent {
   double largest = 0;  ///< magnitude of a coordinate
   double grid = 0;     ///< a power of two of which all coordinates are multiples; 0 if there is none above 2^-200
 
+  PointExtent() = default;
   explicit PointExtent(std::span<const Point3> points);
+};
+
+/// The extent of points that come one after the other.
+class GrowingExtent {
+ public:
+  void add(const Point3& p);
+  /// Of one point at least.
+  PointExtent extent() const;
+
+ private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  std::array<double, 3> low_{infinity, infinity, infinity};
+  std::array<double, 3> high_{-infinity, -infinity, -infinity};
+  int lowest_bit_ = 2000;
 };
 
 /// The predicates of a Delaunay triangulation of given points, by the indices of the points.
@@ -38,6 +55,9 @@ class DelaunaySigns {
 
   /// If the points lie in one plane but for the last, `is_flat`: then four of the others are coplanar without a test.
   DelaunaySigns(std::span<const Point3> points, bool is_flat);
+  /// Of points within an extent, some of which may be none of the triangulation and lie anywhere. If those that are lie
+  /// in one plane but for one, this is the `apex`; else it is no_vertex.
+  DelaunaySigns(std::span<const Point3> points, const PointExtent& extent, std::uint32_t apex);
 
   int orientation(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const {
     const filter::Orientation det(points_[a], points_[b], points_[c], points_[d]);

@@ -43,6 +43,16 @@ CellArray without_apex(const CellArray& cells, std::uint32_t apex) {
   return flat;
 }
 
+void turn_over(CellArray& cells) {
+  // The first two slots change places everywhere.
+  const auto other = [](std::uint32_t code) { return (code & 2) == 0 ? code ^ 1U : code; };
+  for (TriangulationCell& cell : cells) {
+    std::swap(cell.vertices[0], cell.vertices[1]);
+    std::swap(cell.neighbours[0], cell.neighbours[1]);
+    for (std::uint32_t& code : cell.neighbours) code = other(code);
+  }
+}
+
 CellArray cells_of_chain(std::span<const std::uint32_t> chain) {
   CellArray cells;
   constexpr std::uint32_t none = no_vertex;

@@ -30,19 +30,11 @@ double largest_magnitude(std::span<const Point3> points) {
   return largest;
 }
 
-/// A power of two that brings coordinates into the range of the filters, without changing any of them by a rounding; 1
-/// where none does.
+/// 1 where a coordinate would be rounded.
 double scale_of(std::span<const Point3> points, double largest) {
-  if (largest == 0 || (largest < 0x1p130 && largest > 0x1p-100)) return 1;
-  int exponent = 0;
-  std::frexp(largest, &exponent);
-  const double scale = std::ldexp(1.0, std::clamp(-exponent, -1000, 1000));
-  for (const Point3& p : points) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (p[axis] * scale / scale != p[axis]) return 1;
-    }
-  }
-  return scale;
+  const double scale = filter_scale(largest);
+  if (scale == 1) return 1;
+  return std::ranges::all_of(points, [scale](const Point3& p) { return scales_exactly(p, scale); }) ? scale : 1;
 }
 
 Point3 scaled(const Point3& p, double scale) {
@@ -50,6 +42,20 @@ Point3 scaled(const Point3& p, double scale) {
 }
 
 }  // namespace
+
+double filter_scale(double largest) {
+  if (largest == 0 || (largest < 0x1p130 && largest > 0x1p-100)) return 1;
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  return std::ldexp(1.0, std::clamp(-exponent, -1000, 1000));
+}
+
+bool scales_exactly(const Point3& p, double scale) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (p[axis] * scale / scale != p[axis]) return false;
+  }
+  return true;
+}
 
 VertexPoints::VertexPoints(std::span<const Point3> list, Scaling scaling, const Context& context) {
   if (list.empty()) throw InputError("a triangulation of no points");

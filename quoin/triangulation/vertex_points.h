@@ -38,6 +38,12 @@ struct VertexPoints {
   std::span<const Point3> all() const { return {points.data(), points.size()}; }
 };
 
+/// The power of two that brings coordinates into the range of the filters, given the largest magnitude of one; 1 where
+/// none does, or none need.
+double filter_scale(double largest);
+/// Whether no coordinate times a power of two is rounded.
+bool scales_exactly(const Point3& p, double scale);
+
 /// Names the number of points and the memory that they need.
 [[noreturn]] void refuse_for_memory(std::size_t points);
 
