@@ -157,12 +157,16 @@ int ChangingDelaunay3::side_of_plane(const Point3& p) const {
   return to_int(orientation(point(v[a]), point(v[b]), point(v[c]), p));
 }
 
+void ChangingDelaunay3::require_vertex(std::uint32_t v) const {
+  if (!lives(v)) throw InputError("there is no vertex " + std::to_string(v));
+}
+
 void ChangingDelaunay3::remove(std::uint32_t v) {
   remove(v, no_context());
 }
 
 void ChangingDelaunay3::remove(std::uint32_t v, const Context& context) {
-  if (!lives(v)) throw InputError("there is no vertex " + std::to_string(v));
+  require_vertex(v);
   context.poll();
   if (multiplicity(v) > 1) return points_.remove_one_of_many(v);
   if (dimension_ < 2) {
@@ -205,15 +209,40 @@ std::span<const TriangulationCell> ChangingDelaunay3::cells() const {
 }
 
 std::vector<std::uint32_t> ChangingDelaunay3::star(std::uint32_t v) const {
+  if (dimension_ < 3) throw InputError("stars of vertices are given in dimension 3 only");
+  if (v != vertex_at_infinity) require_vertex(v);
   std::vector<std::uint32_t> list;
-  find_star(cells(), 4, v, cell_of(v), list);
+  find_star(cells_.cells(), 4, v, cell_of(v), list);
   return list;
 }
 
 std::vector<std::uint32_t> ChangingDelaunay3::neighbours(std::uint32_t v) const {
+  if (dimension_ < 2) throw InputError("neighbours of vertices are given in dimension 2 and 3 only");
+  if (v != vertex_at_infinity) require_vertex(v);
+  std::vector<std::uint32_t> star;
   std::vector<std::uint32_t> list;
-  find_link_vertices(cells(), 4, v, star(v), list);
+  find_star(cells_.cells(), 4, v, cell_of(v), star);
+  find_link_vertices(cells_.cells(), 4, v, star, list);
+  std::erase(list, points_.apex());
   return list;
+}
+
+DelaunayLocation ChangingDelaunay3::locate(const Point3& p) const {
+  require_finite(p);
+  if (dimension_ < 3) throw InputError("points are located in triangulations of dimension 3 only");
+  return walk_to(p, cells(), cell_of(points_.one_near(p)), [this](std::uint32_t v) { return point(v); });
+}
+
+std::uint32_t ChangingDelaunay3::nearest(const Point3& p) const {
+  require_finite(p);
+  if (dimension_ < 0) throw InputError("there is no vertex");
+  const auto at = [this](std::uint32_t v) { return point(v); };
+  if (dimension_ < 2) {
+    return walk_to_nearest(p, line_.front(), at, [this](std::uint32_t) { return line_; });
+  }
+  const std::uint32_t near = points_.one_near(p);
+  const std::uint32_t start = near == vertex_at_infinity ? neighbours(near).front() : near;
+  return walk_to_nearest(p, start, at, [this](std::uint32_t v) { return neighbours(v); });
 }
 
 CellArray ChangingDelaunay3::flat_cells() const {

@@ -11,6 +11,7 @@
 #include "quoin/triangulation/cell_array.h"
 #include "quoin/triangulation/changing_cells3.h"
 #include "quoin/triangulation/changing_points3.h"
+#include "quoin/triangulation/delaunay_walks.h"
 
 namespace quoin {
 
@@ -61,10 +62,18 @@ class ChangingDelaunay3 {
   std::span<const TriangulationCell> cells() const;
   /// In dimension 3, some cell of a living vertex; a ghost, of vertex_at_infinity.
   std::uint32_t cell_of(std::uint32_t v) const { return cells_.cell_of(v); }
-  /// In dimension 3, all cells of a living vertex, ghosts too, in no order. O(d)
+  /// In dimension 3, all cells of a living vertex or of infinity, ghosts too, in no order. O(d) for d cells.
+  /// @throws InputError if there is no such vertex, or the dimension is below 3
   std::vector<std::uint32_t> star(std::uint32_t v) const;
-  /// In dimension 3, all living vertices that share an edge with one, ascending. O(d log d)
+  /// In dimension 2 and 3, all living vertices that share an edge with one or with infinity, ascending. O(d log d)
+  /// @throws InputError if there is no such vertex, or the dimension is below 2
   std::vector<std::uint32_t> neighbours(std::uint32_t v) const;
+  /// In dimension 3, the smallest face that a point is in. O(n^(1/3)) expected for points spread evenly.
+  /// @throws InputError if the point is not finite, or the dimension below 3
+  DelaunayLocation locate(const Point3& p) const;
+  /// The living vertex of least distance, of equal ones the one of the smallest id; as `locate`, but O(n) where the
+  /// dimension is below 2. @throws InputError if the point is not finite, or there is no vertex
+  std::uint32_t nearest(const Point3& p) const;
   /// In dimension 0 and 1 the vertices in lexicographic order.
   std::span<const std::uint32_t> line() const { return line_; }
   /// In dimension 0 to 2, cells of lower dimension as those of Delaunay3 are, of ids. Made anew: O(n).
@@ -73,6 +82,7 @@ class ChangingDelaunay3 {
   NumberedCells canonical_cells(const Context& context) const;
 
  private:
+  void require_vertex(std::uint32_t v) const;
   std::uint32_t insert_on_line(const Point3& p, const Context& context);
   std::uint32_t insert_off_line(const Point3& p, const Context& context);
   std::uint32_t insert_off_plane(const Point3& p, bool is_beyond);

@@ -5,16 +5,9 @@
 
 #include "quoin/triangulation/circulators.h"
 #include "quoin/triangulation/delaunay3.h"
+#include "quoin/triangulation/delaunay_walks.h"
 
 namespace quoin {
-
-/// Where a point is in a triangulation of dimension 3.
-struct DelaunayLocation {
-  enum class Kind { vertex, edge, facet, cell, outside };
-  Kind kind = Kind::outside;
-  std::uint32_t cell = 0;  ///< a cell of the face; outside, a ghost of a facet of the hull that sees the point
-  unsigned slots = 0;      ///< bit i: slot i of the cell is a vertex of the face
-};
 
 /// Answers questions about points that need not be vertices. Exact. The triangulation must outlive it.
 class DelaunayLocator {

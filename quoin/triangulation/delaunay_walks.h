@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <span>
+#include <unordered_set>
+#include <vector>
+
+#include "quoin/kernel/point.h"
+#include "quoin/kernel/predicates3.h"
+#include "quoin/triangulation/cell_array.h"
+
+namespace quoin {
+
+/// Where a point is in a triangulation of dimension 3.
+struct DelaunayLocation {
+  enum class Kind { vertex, edge, facet, cell, outside };
+  Kind kind = Kind::outside;
+  std::uint32_t cell = 0;  ///< a cell of the face; outside, a ghost of a facet of the hull that sees the point
+  unsigned slots = 0;      ///< bit i: slot i of the cell is a vertex of the face
+};
+
+/// @throws InputError where a point that is looked for is not finite
+void require_finite(const Point3& p);
+
+/// Sign of |p - a|^2 - |p - b|^2. Exact.
+int compare_distances(const Point3& p, const Point3& a, const Point3& b);
+
+/// The smallest face that the point is in, by a walk from a cell of a triangulation of dimension 3; it ends, since
+/// cells are in an acyclic order as seen from any point (Edelsbrunner 1990). `at(v)` is the point of a vertex.
+template <class At>
+DelaunayLocation walk_to(const Point3& p, std::span<const TriangulationCell> cells, std::uint32_t start, const At& at) {
+  const auto is_ghost = [&](std::uint32_t c) { return cells[c].vertices[3] == vertex_at_infinity; };
+  std::uint32_t here = is_ghost(start) ? cells[start].neighbours[3] >> 2 : start;
+  for (;;) {
+    if (is_ghost(here)) return {DelaunayLocation::Kind::outside, here, 0x7};
+    const auto& v = cells[here].vertices;
+    unsigned slots = 0;
+    unsigned exit = 0;
+    for (; exit < 4; ++exit) {
+      const auto& [a, b, c] = facet_slots[exit];
+      const Sign side = orientation(at(v[a]), at(v[b]), at(v[c]), p);
+      if (side == Sign::negative) break;
+      if (side == Sign::positive) slots |= 1U << exit;
+    }
+    if (exit == 4) return {static_cast<DelaunayLocation::Kind>(std::popcount(slots) - 1), here, slots};
+    here = cells[here].neighbours[exit] >> 2;
+  }
+}
+
+/// The vertex of least distance, of equal ones the one of the smallest number, by a walk over edges from a vertex, each
+/// to a nearer one. `neighbours(v)` are those of a vertex.
+template <class At, class Neighbours>
+std::uint32_t walk_to_nearest(const Point3& p, std::uint32_t start, const At& at, const Neighbours& neighbours) {
+  // The nearest of all is the one that no neighbour is nearer than; others as near share a Delone cell with it, and
+  // are reached through neighbours that are as near.
+  std::uint32_t best = start;
+  for (bool is_moving = true; is_moving;) {
+    is_moving = false;
+    for (const std::uint32_t v : neighbours(best)) {
+      if (compare_distances(p, at(v), at(best)) < 0) {
+        best = v;
+        is_moving = true;
+      }
+    }
+  }
+  std::vector<std::uint32_t> ties{best};
+  std::unordered_set<std::uint32_t> is_tied{best};
+  for (std::size_t k = 0; k < ties.size(); ++k) {
+    for (const std::uint32_t v : neighbours(ties[k])) {
+      if (is_tied.count(v) != 0 || compare_distances(p, at(v), at(best)) != 0) continue;
+      is_tied.insert(v);
+      ties.push_back(v);
+    }
+  }
+  return *std::min_element(ties.begin(), ties.end());
+}
+
+}  // namespace quoin
