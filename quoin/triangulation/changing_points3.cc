@@ -13,7 +13,7 @@ namespace quoin {
 namespace {
 
 constexpr std::size_t most_ids = std::size_t{1} << 30;
-constexpr std::size_t few = 64;  // points that may go before bounds are found anew
+constexpr std::size_t few = 64;  // points that may go before bounds are found anew, and come before there is a grid
 
 // For one more, in steps that grow.
 template <class List>
@@ -41,10 +41,13 @@ ChangingPoints3::ChangingPoints3(VertexPoints points)
     largest_ = std::max(largest_, magnitude(original(v)));
   }
   tried_scale_ = filter_scale(largest_);
+  grid_.build(points_, ids());
 }
 
 std::uint32_t ChangingPoints3::add(const Point3& p) {
+  if (count_ >= few && count_ >= 2 * grid_.size()) grid_.build(points_, ids());
   const std::uint32_t id = new_id(p);
+  grid_.put(points_[id], id);
   multiplicity_[id] = 1;
   ++count_;
   return id;
@@ -97,6 +100,7 @@ std::uint32_t ChangingPoints3::turn_apex_into(const Point3& p) {
   const std::uint32_t id = std::exchange(apex_, no_vertex);
   hold(p);
   points_[id] = scaled(p);
+  grid_.put(points_[id], id);
   multiplicity_[id] = 1;
   ++count_;
   return id;
@@ -120,6 +124,9 @@ std::vector<Point3> ChangingPoints3::originals(std::span<const std::uint32_t> id
 /// Rounded distances do.
 std::uint32_t ChangingPoints3::one_near(const Point3& p) const {
   const Point3 q = scaled(p);
+  const auto is_there = [this](std::uint32_t id) { return multiplicity_[id] > 0; };
+  const std::uint32_t known = grid_.find(q, {points_.data(), points_.size()}, is_there);
+  if (known != IdGrid::none) return known;
   const auto samples = 1 + static_cast<std::size_t>(std::cbrt(static_cast<double>(points_.size())));
   std::uint32_t best = vertex_at_infinity;
   double least = std::numeric_limits<double>::infinity();
@@ -167,6 +174,7 @@ void ChangingPoints3::choose_scale(const Point3& p) {
     points_[id] = {q.x * scale, q.y * scale, q.z * scale};
     extent_.add(points_[id]);
   }
+  if (scale != scale_) grid_.clear();
   scale_ = scale;
   unscale_ = 1 / scale;
 }

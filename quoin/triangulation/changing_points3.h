@@ -9,6 +9,7 @@
 #include "quoin/base/large_vector.h"
 #include "quoin/kernel/point.h"
 #include "quoin/triangulation/delaunay_signs.h"
+#include "quoin/triangulation/id_grid.h"
 #include "quoin/triangulation/vertex_points.h"
 
 namespace quoin {
@@ -56,7 +57,8 @@ class ChangingPoints3 {
   std::vector<std::uint32_t> ids() const;
   std::vector<Point3> originals(std::span<const std::uint32_t> ids) const;
 
-  /// About the nearest of a few, evenly spaced by their ids; vertex_at_infinity if none of these is there.
+  /// One of a box of a grid near the point; else about the nearest of a few, evenly spaced by their ids;
+  /// vertex_at_infinity if none of these is there.
   std::uint32_t one_near(const Point3& p) const;
 
   /// Valid until the next change.
@@ -77,6 +79,7 @@ class ChangingPoints3 {
   std::uint32_t apex_ = no_vertex;
   std::size_t count_ = 0;
   std::size_t gone_ = 0;  ///< since bounds were found
+  IdGrid grid_;           ///< of scaled points
   GrowingExtent extent_;  ///< of the scaled points
   double largest_ = 0;    ///< magnitude of a coordinate as given
   double scale_ = 1;

@@ -6,13 +6,25 @@
 
 namespace quoin {
 
+namespace {
+
+constexpr std::size_t few = 64;  // members of a list that is searched from end to end
+
+/// Without a way out of the loop, which takes several at a time then.
+bool holds(const std::vector<std::uint32_t>& list, std::uint32_t member) {
+  bool is_there = false;
+  for (const std::uint32_t other : list) is_there |= other == member;
+  return is_there;
+}
+
+}  // namespace
+
 void find_star(std::span<const TriangulationCell> cells, unsigned size, std::uint32_t vertex, std::uint32_t first,
                std::vector<std::uint32_t>& list) {
-  constexpr std::size_t few = 64;
   list.assign(1, first);
   std::unordered_set<std::uint32_t> seen;  // once the list is too long to be searched
   const auto is_seen = [&](std::uint32_t c) {
-    if (list.size() < few) return std::find(list.begin(), list.end(), c) != list.end();
+    if (list.size() < few) return holds(list, c);
     if (seen.empty()) seen.insert(list.begin(), list.end());
     return !seen.insert(c).second;
   };
@@ -32,7 +44,8 @@ void find_link_vertices(std::span<const TriangulationCell> cells, unsigned size,
   for (const std::uint32_t c : star) {
     for (unsigned i = 0; i < size; ++i) {
       const std::uint32_t v = cells[c].vertices[i];
-      if (v != vertex && v != vertex_at_infinity) list.push_back(v);
+      if (v == vertex || v == vertex_at_infinity || (list.size() < few && holds(list, v))) continue;
+      list.push_back(v);
     }
   }
   std::sort(list.begin(), list.end());
