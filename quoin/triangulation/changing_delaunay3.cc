@@ -169,6 +169,7 @@ void ChangingDelaunay3::remove(std::uint32_t v, const Context& context) {
   require_vertex(v);
   context.poll();
   if (multiplicity(v) > 1) return points_.remove_one_of_many(v);
+  points_.reserve_for_removals();
   if (dimension_ < 2) {
     line_.erase(std::ranges::find(line_, v));
     dimension_ = std::min(dimension_, static_cast<int>(line_.size()) - 1);
@@ -200,7 +201,7 @@ void ChangingDelaunay3::fall_to_line(std::uint32_t v) {
   cells_ = std::move(none);
   points_.remove_apex();
   points_.remove(v);
-  dimension_ = static_cast<int>(line_.size()) - 1 > 0 ? 1 : 0;
+  dimension_ = line_.size() > 1 ? 1 : 0;
 }
 
 std::span<const TriangulationCell> ChangingDelaunay3::cells() const {

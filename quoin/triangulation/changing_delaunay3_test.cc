@@ -396,6 +396,8 @@ void for_each_change(std::size_t size, const Change& change) {
     const int steps = static_cast<int>(2 * size);
     for (int step = 0; step < steps; ++step) {
       SCOPED_TRACE(cloud.name + ": " + reproduce(present.points));
+      // A copy has no memory to spare.
+      if (step % 2 == 0) changing = ChangingDelaunay3(changing);
       if (present.points.empty() || random() % size > static_cast<unsigned>(step) / 2) {
         const Point3 p = cloud.points[random() % cloud.points.size()];
         std::uint32_t v = 0;

@@ -34,7 +34,6 @@ ChangingPoints3::ChangingPoints3(VertexPoints points)
       unscale_(points.unscale),
       tried_scale_(scale_) {
   multiplicity_.reserve(points_.size());
-  free_.reserve(points_.size());
   for (std::uint32_t v = 0; v < points_.size(); ++v) {
     multiplicity_.push_back(static_cast<std::uint32_t>(points.inputs_of(v).size()));
     extent_.add(points_[v]);
@@ -69,6 +68,10 @@ std::uint32_t ChangingPoints3::new_id(const Point3& p) {
   free_.pop_back();
   points_[id] = scaled(p);
   return id;
+}
+
+void ChangingPoints3::reserve_for_removals() {
+  make_room(free_, points_.size());
 }
 
 void ChangingPoints3::remove(std::uint32_t id) {

@@ -33,8 +33,9 @@ class ChangingPoints3 {
   std::uint32_t add(const Point3& p);
   void add_once_more(std::uint32_t id) { ++multiplicity_[id]; }
   void remove_one_of_many(std::uint32_t id) { --multiplicity_[id]; }
-  /// Its id may be given to another. Makes signs invalid.
+  /// Its id may be given to another. Takes no memory after `reserve_for_removals` or an addition that came to nothing.
   void remove(std::uint32_t id);
+  void reserve_for_removals();
 
   std::uint32_t apex() const { return apex_; }
   void add_apex(const Point3& p);
@@ -75,7 +76,7 @@ class ChangingPoints3 {
 
   LargeVector<Point3> points_;  ///< scaled
   std::vector<std::uint32_t> multiplicity_;
-  std::vector<std::uint32_t> free_;  ///< has room for all ids
+  std::vector<std::uint32_t> free_;
   std::uint32_t apex_ = no_vertex;
   std::size_t count_ = 0;
   std::size_t gone_ = 0;  ///< since bounds were found

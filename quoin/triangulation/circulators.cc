@@ -20,7 +20,7 @@ bool holds(const std::vector<std::uint32_t>& list, std::uint32_t member) {
 }  // namespace
 
 void find_star(std::span<const TriangulationCell> cells, unsigned size, std::uint32_t vertex, std::uint32_t first,
-               std::vector<std::uint32_t>& list) {
+               std::vector<std::uint32_t>& list, const Context* context) {
   list.assign(1, first);
   std::unordered_set<std::uint32_t> seen;  // once the list is too long to be searched
   const auto is_seen = [&](std::uint32_t c) {
@@ -29,6 +29,7 @@ void find_star(std::span<const TriangulationCell> cells, unsigned size, std::uin
     return !seen.insert(c).second;
   };
   for (std::size_t k = 0; k < list.size(); ++k) {
+    if (context != nullptr && k % 1024 == 1023) context->poll();
     const std::uint32_t c = list[k];
     for (unsigned i = 0; i < size; ++i) {
       if (cells[c].vertices[i] == vertex) continue;

@@ -43,9 +43,9 @@ void for_each_around_edge(std::span<const TriangulationCell> cells, std::uint32_
 }
 
 /// All cells that have the vertex, ghosts too, in no order but with `first`, which is one of them, first; simplices of
-/// `size` vertices. The list is written over. O(d) for a star of d cells.
+/// `size` vertices. The list is written over. O(d) for a star of d cells. @throws Cancelled where there is a context
 void find_star(std::span<const TriangulationCell> cells, unsigned size, std::uint32_t vertex, std::uint32_t first,
-               std::vector<std::uint32_t>& list);
+               std::vector<std::uint32_t>& list, const Context* context = nullptr);
 /// Of a star: its vertices but for this one and infinity, ascending. The list is written over.
 void find_link_vertices(std::span<const TriangulationCell> cells, unsigned size, std::uint32_t vertex,
                         std::span<const std::uint32_t> star, std::vector<std::uint32_t>& list);

@@ -22,7 +22,7 @@ std::array<std::uint32_t, 3> facet_of(const TriangulationCell& cell, unsigned sl
 }  // namespace
 
 bool StarFilling3::find(const CellArray& cells, std::uint32_t v, std::uint32_t first, const Context& context) {
-  find_star(cells, 4, v, first, star_);
+  find_star(cells, 4, v, first, star_, &context);
   find_link_vertices(cells, 4, v, star_, link_);
   if (!choose_simplex(cells, v, context)) return false;
   read_hole(cells, v);
