@@ -434,6 +434,35 @@ TEST(ChangingDelaunay3, IsAsItWasWhereMemoryFails) {
   EXPECT_GT(failures, 500U);
 }
 
+/// Of a star that takes no table, and as many points as have a grid.
+TEST(ChangingDelaunay3, LargeStarsAreAsTheyWereWhereMemoryFails) {
+  Random random(12);
+  std::vector<Point3> points = testing::near_sphere(random, 120);
+  ChangingDelaunay3 changing(points, context);
+  const auto expect_failures = [&](const auto& act) {
+    ChangingDelaunay3 copy = changing;
+    std::size_t allocation = 0;
+    for (bool has_failed = true; has_failed; ++allocation) {
+      try {
+        const testing::FailingAllocation failing(allocation);
+        act(copy);
+        has_failed = false;
+      } catch (const std::bad_alloc&) {
+        expect_same(copy, points);
+      }
+    }
+    EXPECT_GT(allocation, 5U);
+    changing = copy;
+  };
+  std::uint32_t v = 0;
+  expect_failures([&v](ChangingDelaunay3& copy) { v = copy.insert({0, 0, 0}); });
+  points.push_back({0, 0, 0});
+  EXPECT_GT(changing.neighbours(v).size(), 64U);
+  expect_failures([v](ChangingDelaunay3& copy) { copy.remove(v); });
+  points.pop_back();
+  expect_same(changing, points);
+}
+
 TEST(ChangingDelaunay3, IsAsItWasWhereItIsCancelled) {
   std::size_t failures = 0;
   for_each_change(8,
