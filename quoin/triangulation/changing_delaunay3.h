@@ -35,8 +35,8 @@ class ChangingDelaunay3 {
   /// The id of a vertex is its number in Delaunay3. @throws as Delaunay3, but takes no points for none
   explicit ChangingDelaunay3(std::span<const Point3> points, const Context& context = Context());
 
-  /// The vertex of the point: a new one, or the one that is there, once more. O(n^(1/3)) expected for points spread
-  /// evenly; O(n) where the dimension is below 2 or grows.
+  /// The vertex of the point: a new one, or the one that is there, once more. O(1) expected on average for points
+  /// spread evenly; O(n) where the dimension is below 2 or grows.
   /// @throws InputError  the point is not finite, or there are more than 2^30 vertices or cells
   /// @throws Cancelled   through `context`, where one is given
   std::uint32_t insert(const Point3& p);
@@ -68,7 +68,7 @@ class ChangingDelaunay3 {
   /// In dimension 2 and 3, all living vertices that share an edge with one or with infinity, ascending. O(d log d)
   /// @throws InputError if there is no such vertex, or the dimension is below 2
   std::vector<std::uint32_t> neighbours(std::uint32_t v) const;
-  /// In dimension 3, the smallest face that a point is in. O(n^(1/3)) expected for points spread evenly.
+  /// In dimension 3, the smallest face that a point is in. O(1) expected for points spread evenly.
   /// @throws InputError if the point is not finite, or the dimension below 3
   DelaunayLocation locate(const Point3& p) const;
   /// The living vertex of least distance, of equal ones the one of the smallest id; as `locate`, but O(n) where the
