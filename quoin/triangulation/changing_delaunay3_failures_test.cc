@@ -73,7 +73,7 @@ TEST(ChangingDelaunay3, IsAsItWasWhereMemoryFails) {
 /// Of a star that takes no table, and as many points as have a grid.
 TEST(ChangingDelaunay3, LargeStarsAreAsTheyWereWhereMemoryFails) {
   Random random(12);
-  std::vector<Point3> points = testing::near_sphere(random, 120);
+  std::vector<Point3> points = testing::near_sphere(random, 72);
   ChangingDelaunay3 changing(points, context);
   const auto expect_failures = [&](const auto& act) {
     ChangingDelaunay3 copy = changing;
