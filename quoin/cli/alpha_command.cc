@@ -12,6 +12,7 @@
 #include "quoin/cli/cell_outputs.h"
 #include "quoin/cli/commands.h"
 #include "quoin/cli/coordinates.h"
+#include "quoin/cli/exact_outputs.h"
 #include "quoin/cli/failure.h"
 #include "quoin/cli/inputs.h"
 #include "quoin/cli/memory.h"
@@ -56,7 +57,7 @@ void require_sense(const Options& options) {
   }
   for (const Target& target : targets_of(options)) {
     if (!options.graph.empty() && target.kind == Target::Kind::mesh)
-      throw UsageError(target.name + ": the edges of a graph go to .vtk and .txt");
+      throw UsageError(target.name + ": the edges of a graph go to .vtk, .qcells and .txt");
   }
 }
 
@@ -134,6 +135,7 @@ void run_graph(const AlphaPoints& points, const PointFile& file, Json& report, s
   report["length"] = rounded(length);
   write_cells({.grid = [&] { return grid_of_graph(points, edges, file); },
                .mesh = {},
+               .cells = [&] { return exact_cells_of_graph(points, edges, file); },
                .text = [&](std::ostream& out) { write_graph(out, points, edges, context); },
                .page = [&] { return scene_of_graph(points, edges, options.graph, file); }},
               options, warnings, context);
@@ -175,6 +177,7 @@ void run_shape(const AlphaPoints& points, const PointFile& file, const std::opti
   report["shape"] = describe_shape(alpha, intervals, choice.grades, context);
   write_cells({.grid = [&] { return grid_of_shape(points, intervals, choice.grades, file, context); },
                .mesh = [&] { return mesh_of_shape(points, intervals, choice.grades, file, context); },
+               .cells = [&] { return exact_cells_of_shape(points, choice.grades, file, context); },
                .text = [&](std::ostream& out) { write_filtration(out, points, choice.grades, options.exact, context); },
                .page = [&] { return page_of(points, intervals, choice, file, context); }},
               options, warnings, context);

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "quoin/cli/cell_outputs.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "quoin/base/error.h"
 #include "quoin/cli/reporting.h"
 #include "quoin/cli/target_writing.h"
 #include "quoin/cli/targets.h"
+#include "quoin/io/cells_text.h"
 #include "quoin/view/layered_page.h"
 
 namespace quoin::cli {
@@ -28,6 +30,10 @@ void write_one(const Target& target, const CellOutputs& outputs, const Options& 
     write_target(target, [&](std::ostream& out) { write_vtk(out, made, title, context); });
   } else if (target.kind == Target::Kind::simplices) {
     write_target(target, outputs.text);
+  } else if (target.kind == Target::Kind::cells) {
+    const ExactCells made = outputs.cells();
+    context.progress("writing", 0);
+    write_target(target, [&](std::ostream& out) { write_cells_text(out, made, context); });
   } else if (target.kind == Target::Kind::page) {
     LayeredScene made = outputs.page();
     made.title = title_of(options.inputs[0]);
@@ -42,6 +48,10 @@ void write_one(const Target& target, const CellOutputs& outputs, const Options& 
 }
 
 }  // namespace
+
+bool writes_exact_cells(const Options& options) {
+  return std::ranges::count(targets_of(options), Target::Kind::cells, &Target::kind) > 0;
+}
 
 void write_cells(const CellOutputs& outputs, const Options& options, std::vector<std::string>& warnings,
                  const Context& context) {

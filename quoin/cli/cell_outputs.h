@@ -8,6 +8,7 @@
 
 #include "quoin/base/context.h"
 #include "quoin/cli/options.h"
+#include "quoin/io/exact_cells.h"
 #include "quoin/io/vtk_grid.h"
 #include "quoin/view/layered_scene.h"
 
@@ -17,9 +18,13 @@ namespace quoin::cli {
 struct CellOutputs {
   std::function<VtkGrid()> grid;
   std::function<Mesh()> mesh;
+  std::function<ExactCells()> cells;          ///< of .qcells
   std::function<void(std::ostream&)> text{};  ///< of commands that write .txt
   std::function<LayeredScene()> page{};       ///< of commands that write .html; the title is set here
 };
+
+/// Whether an output is to hold exact cells.
+bool writes_exact_cells(const Options& options);
 
 /// Writes the outputs of a command about cells of points. What meshes do not hold goes to `warnings`.
 void write_cells(const CellOutputs& outputs, const Options& options, std::vector<std::string>& warnings,

@@ -5,6 +5,7 @@
 #include "quoin/base/error.h"
 #include "quoin/cli/cell_outputs.h"
 #include "quoin/cli/commands.h"
+#include "quoin/cli/exact_outputs.h"
 #include "quoin/cli/failure.h"
 #include "quoin/cli/inputs.h"
 #include "quoin/cli/memory.h"
@@ -61,6 +62,7 @@ int run_delaunay(const Options& options, const Context& context) {
   warn_of_points(made.heights_lost, made.dimension, options, how.of_plane, warnings);
   write_cells({.grid = [&] { return grid_of(made, file); },
                .mesh = [&] { return mesh_of(made, file); },
+               .cells = [&] { return exact_cells_of(made, file); },
                .page = [&] { return page_of(made, file, options, context); }},
               options, warnings, context);
   Json report = report_of(made, file, options);

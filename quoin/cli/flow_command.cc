@@ -9,6 +9,7 @@
 #include "quoin/base/error.h"
 #include "quoin/cli/cell_outputs.h"
 #include "quoin/cli/commands.h"
+#include "quoin/cli/exact_flow.h"
 #include "quoin/cli/failure.h"
 #include "quoin/cli/flow_outputs.h"
 #include "quoin/cli/inputs.h"
@@ -72,13 +73,26 @@ class FlowOfSpace {
     return grid;
   }
 
+  ExactCells exact_cells() {
+    ExactFlow exact(flow_, context_);
+    if (options_.stable == 1) {
+      exact.add_critical_edges(std::nullopt);
+    } else if (!has_surfaces()) {
+      exact.add_critical_points(graph());
+    } else {
+      if (options_.shape) exact.add_critical_edges(square_of(*options_.shape));
+      exact.add_surfaces(mesh(), walls_);
+    }
+    return exact.take();
+  }
+
   const FlowMesh& mesh() {
     if (mesh_) return *mesh_;
     context_.progress("surfaces", 0);
     if (options_.stable == 2) {
       flow_.for_each_saddle(context_, [this](CellFacet facet) { walls_.push_back({facet, false}); });
     }
-    return mesh_.emplace(flow_mesh(flow_, walls_, context_));
+    return mesh_.emplace(flow_mesh(flow_, walls_, context_, {.keeps_exact_points = writes_exact_cells(options_)}));
   }
 
   bool has_surfaces() const {
@@ -200,6 +214,11 @@ void require_one_thing(const Options& options) {
         "--stable with --unstable");
 }
 
+void require_exact(const Options& options) {
+  if (options.unstable > 0 && writes_exact_cells(options))
+    throw UsageError("what --unstable writes has rounded coordinates: it does not go to .qcells");
+}
+
 bool asks_for_more(const Options& options) {
   return options.stable > 0 || options.unstable > 0 || options.shape || options.simplify || options.reconstruct;
 }
@@ -208,6 +227,7 @@ bool asks_for_more(const Options& options) {
 
 int run_flow(const Options& options, const Context& context) {
   require_one_thing(options);
+  require_exact(options);
   std::vector<std::string> warnings;
   PointFile file = read_point_input(options, warnings, context);
   if (options.onto_plane) {
@@ -230,6 +250,7 @@ int run_flow(const Options& options, const Context& context) {
     flow.report(report);
     write_cells({.grid = [&] { return flow.grid(); },
                  .mesh = [&] { return flow.has_surfaces() ? mesh_of_surfaces(flow.mesh()) : Mesh{}; },
+                 .cells = [&] { return flow.exact_cells(); },
                  .text = {}},
                 options, warnings, context);
   }

@@ -9,6 +9,8 @@
 #include "quoin/cli/planar.h"
 #include "quoin/cli/primes.h"
 #include "quoin/cli/summary.h"
+#include "quoin/io/cells_complex.h"
+#include "quoin/io/cells_text.h"
 #include "quoin/io/mesh_complex.h"
 #include "quoin/io/simplex_text.h"
 #include "quoin/topology/homology.h"
@@ -46,11 +48,13 @@ bool is_mesh_name(const std::string& name) {
   return format_from_path(name).has_value() || ending_of(name) == ".qsolid";
 }
 
-// A mesh, or a text of simplices, which begins with a number.
+// A mesh, exact cells, or a text of simplices, which begins with a number.
 SimplexList read_complex(const std::string& name, const Options& options, std::vector<std::string>& warnings,
                          const Context& context) {
   if (is_mesh_name(name)) return simplices_of(read_input(name, options, warnings, context), name, warnings, context);
   const std::string bytes = read_all(name);
+  if (ending_of(name) == ".qcells" || is_cells_text(bytes))
+    return simplices_of_cells(read_cells_text(bytes, shown(name), context), context).simplices;
   if (begins_like_simplices(bytes)) return read_simplices(bytes, shown(name), context);
   return simplices_of(input_of_bytes(bytes, name, options, warnings, context), name, warnings, context);
 }

@@ -14,7 +14,8 @@ namespace quoin::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr std::uint32_t none = 0xFFFFFFFF;
+constexpr std::uint32_t none = ExactColumns::none;
+constexpr std::size_t poll_step = 256;
 
 /// Corners of the diagram by the number of their Delone cell; each is rounded once.
 class Corners {
@@ -34,6 +35,33 @@ class Corners {
 
  private:
   std::vector<std::uint32_t> number_;
+};
+
+/// Faces of a diagram with the sites that they are of.
+class FaceList {
+ public:
+  explicit FaceList(unsigned dimension) { cells_.dimension = dimension; }
+
+  void add_corner(const RationalPoint3& p) {
+    cells_.add_point(p);
+    add(ExactCellKind::simplex, std::array{static_cast<std::uint32_t>(inputs_.size())});
+  }
+  std::uint32_t add(ExactCellKind kind, std::span<const std::uint32_t> numbers, std::uint32_t input = none,
+                    std::uint32_t neighbour = none) {
+    cells_.add_cell(kind, numbers);
+    inputs_.push_back(input);
+    neighbours_.push_back(neighbour);
+    return static_cast<std::uint32_t>(inputs_.size() - 1);
+  }
+  ExactCells take() {
+    cells_.cell_data.integers = {{"input", std::move(inputs_)}, {"neighbour", std::move(neighbours_)}};
+    return std::move(cells_);
+  }
+
+ private:
+  ExactCells cells_;
+  std::vector<std::uint32_t> inputs_;
+  std::vector<std::uint32_t> neighbours_;
 };
 
 class PlaneCells : public NearestCells {
@@ -63,6 +91,28 @@ class PlaneCells : public NearestCells {
 
   void add_cell(std::uint32_t site, VtkGrid& grid) override {
     grid.add_cell(VtkCell::polygon, polygon(site, grid.points));
+  }
+
+  ExactCells bounded_faces(std::span<const std::uint32_t> order, const Context& context) const override {
+    FaceList faces(2);
+    for (std::uint32_t c = 0; c < delone_.cell_count(); ++c) {
+      if (c % poll_step == 0) context.poll();
+      const RationalPoint2 p = voronoi_.vertex(DeloneCell2(c));
+      faces.add_corner({p.x, p.y, Rational()});
+    }
+    for (const VoronoiEdge2& e : voronoi_.edges()) {
+      if (e.from.is_none() || e.to.is_none()) continue;
+      faces.add(ExactCellKind::simplex, std::array{e.from.value, e.to.value}, inputs(e.left.value)[0],
+                inputs(e.right.value)[0]);
+    }
+    for (const std::uint32_t site : order) {
+      context.poll();
+      if (!is_bounded(site)) continue;
+      std::vector<std::uint32_t> corners;
+      for (const DeloneCell2 corner : voronoi_.cell(Vertex2(site)).corners) corners.push_back(corner.value);
+      faces.add(ExactCellKind::polygon, corners, inputs(site)[0]);
+    }
+    return faces.take();
   }
 
   Mesh mesh(const Context& context) override {
@@ -132,6 +182,29 @@ class SpaceCells : public NearestCells {
     grid.add_cell(VtkCell::polyhedron, numbers);
   }
 
+  ExactCells bounded_faces(std::span<const std::uint32_t> order, const Context& context) const override {
+    FaceList faces(3);
+    if (!voronoi_) return faces.take();
+    add_corners(faces, context);
+    add_edges(faces, context);
+    std::vector<std::vector<std::uint32_t>> parts(site_count());  // of the bounded cells
+    for (std::uint32_t site = 0; site < site_count(); ++site) {
+      context.poll();
+      for (const VoronoiFacet& f : voronoi_->facets(site)) {
+        if (!f.is_bounded || f.neighbour < site) continue;
+        std::vector<std::uint32_t> corners;
+        for (const std::uint32_t cell : f.cells) corners.push_back(labels_.cell_of[cell]);
+        const std::uint32_t face = faces.add(ExactCellKind::polygon, corners, inputs(site)[0], inputs(f.neighbour)[0]);
+        if (is_bounded(site)) parts[site].push_back(ExactCells::part_of(face, false));
+        if (is_bounded(f.neighbour)) parts[f.neighbour].push_back(ExactCells::part_of(face, true));
+      }
+    }
+    for (const std::uint32_t site : order) {
+      if (is_bounded(site)) faces.add(ExactCellKind::polyhedron, parts[site], inputs(site)[0]);
+    }
+    return faces.take();
+  }
+
   Mesh mesh(const Context& context) override {
     Mesh mesh;
     for (std::uint32_t site = 0; voronoi_ && site < site_count(); ++site) {
@@ -144,6 +217,34 @@ class SpaceCells : public NearestCells {
   }
 
  private:
+  /// One for each Delone cell, in the order of these.
+  void add_corners(FaceList& faces, const Context& context) const {
+    std::vector<std::uint32_t> simplex_of(labels_.cell_count, none);
+    for (std::uint32_t c = 0; c < delaunay_.cells().size(); ++c) {
+      if (!delaunay_.is_ghost(c)) simplex_of[labels_.cell_of[c]] = c;
+    }
+    for (const std::uint32_t simplex : simplex_of) {
+      if (simplex % poll_step == 0) context.poll();
+      faces.add_corner(voronoi_->corner(simplex));
+    }
+  }
+
+  /// Between Delone cells that share a facet.
+  void add_edges(FaceList& faces, const Context& context) const {
+    std::vector<std::array<std::uint32_t, 2>> pairs;
+    for (std::uint32_t c = 0; c < delaunay_.cells().size(); ++c) {
+      if (c % poll_step == 0) context.poll();
+      for (const std::uint32_t across : delaunay_.cells()[c].neighbours) {
+        const std::uint32_t low = labels_.cell_of[c];
+        const std::uint32_t high = labels_.cell_of[across / 4];
+        if (low < high && high < labels_.cell_count) pairs.push_back({low, high});
+      }
+    }
+    std::ranges::sort(pairs);
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    for (const auto& pair : pairs) faces.add(ExactCellKind::simplex, pair);
+  }
+
   /// Those of the site asked for last are kept.
   const std::vector<VoronoiFacet>& facets(std::uint32_t site) const {
     if (facets_of_ != site) {
@@ -174,6 +275,12 @@ class SpaceCells : public NearestCells {
 };
 
 }  // namespace
+
+std::size_t NearestCells::bounded_count() const {
+  std::size_t count = 0;
+  for (std::uint32_t s = 0; s < site_count(); ++s) count += is_bounded(s) ? 1 : 0;
+  return count;
+}
 
 std::unique_ptr<NearestCells> nearest_cells(const PointFile& file, bool of_plane, bool is_written,
                                             const Context& context) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "quoin/base/context.h"
+#include "quoin/io/exact_cells.h"
 #include "quoin/io/mesh_file.h"
 #include "quoin/io/point_file.h"
 #include "quoin/io/vtk_grid.h"
@@ -32,6 +33,7 @@ class NearestCells {
   /// Numbers of the points at a site, ascending.
   virtual std::span<const std::uint32_t> inputs(std::uint32_t site) const = 0;
   virtual bool is_bounded(std::uint32_t site) const = 0;
+  std::size_t bounded_count() const;
   /// Volume or area of a bounded cell, exact. May be asked by several threads.
   virtual Rational size(std::uint32_t site) const = 0;
   /// Pairs of sites whose cells share a facet, of the plane an edge.
@@ -39,6 +41,9 @@ class NearestCells {
 
   /// Adds a bounded cell to a grid, with the corners that it has not yet. Corners are rounded to nearest.
   virtual void add_cell(std::uint32_t site, VtkGrid& grid) = 0;
+  /// All bounded faces: corners, edges, of space facets, then the bounded cells in an order of sites; corners are
+  /// exact. Cells have the number `input` of their site, what lies between two of them also `neighbour`.
+  virtual ExactCells bounded_faces(std::span<const std::uint32_t> order, const Context& context) const = 0;
   /// The bounded facets, each once, or the bounded cells of the plane.
   virtual Mesh mesh(const Context& context) = 0;
 };

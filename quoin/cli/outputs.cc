@@ -98,6 +98,7 @@ class OutputWriter {
       case Target::Kind::report:
       case Target::Kind::grid:
       case Target::Kind::simplices:
+      case Target::Kind::cells:
         break;
     }
     throw InternalError(target.name + ": solids are not written as drawings");

@@ -10,6 +10,8 @@
 #include "quoin/cli/persistence_diagram.h"
 #include "quoin/cli/planar.h"
 #include "quoin/cli/primes.h"
+#include "quoin/io/cells_complex.h"
+#include "quoin/io/cells_text.h"
 #include "quoin/io/simplex_text.h"
 #include "quoin/topology/persistence.h"
 
@@ -33,6 +35,13 @@ GradeValues values_of(const std::vector<Rational>& values, const Context& contex
   return {rounded, [&values](std::uint32_t grade) { return values[grade].to_string(); }, !are_doubles};
 }
 
+// Of exact cells with values, told by the ending or the first word, or of simplices.
+FiltrationText read_text(const std::string& name, const Context& context) {
+  const std::string bytes = read_all(name);
+  if (ending_of(name) != ".qcells" && !is_cells_text(bytes)) return read_filtration(bytes, shown(name), context);
+  return filtration_of_cells(read_cells_text(bytes, shown(name), context), shown(name), context);
+}
+
 Filtration filtration_of_text(const FiltrationText& text, const std::string& name, const Context& context) {
   try {
     return filtration_of(text.simplices, text.grades, context);
@@ -47,7 +56,7 @@ int run_persistence(const Options& options, const Context& context) {
   const PersistenceOptions how{.prime = prime_of(options)};
   const std::string& name = options.inputs[0];
   std::vector<std::string> warnings;
-  const FiltrationText text = read_filtration(read_all(name), shown(name), context);
+  const FiltrationText text = read_text(name, context);
   const Filtration filtration = filtration_of_text(text, name, context);
   if (filtration.added_faces > 0) {
     warnings.push_back(shown(name) + ": " + std::to_string(filtration.added_faces) +

@@ -71,10 +71,11 @@ Target cells_target(const std::string& name, const std::string& ending, bool has
   if (ending == ".vtk") return {name, Target::Kind::grid};
   if (has_page && (ending == ".html" || ending == ".htm")) return {name, Target::Kind::page};
   if (ending == ".txt" && has_text) return {name, Target::Kind::simplices};
+  if (ending == ".qcells") return {name, Target::Kind::cells};
   const auto format = format_from_path("x" + ending);
   if (!format || is_triangles_only(*format)) {
     throw UsageError((name == standard_stream ? "--format '" + ending.substr(1) + "'" : name + ": the ending") +
-                     " tells no format that is written (vtk, ply, obj, off" + (has_page ? ", html" : "") +
+                     " tells no format that is written (vtk, ply, obj, off, qcells" + (has_page ? ", html" : "") +
                      (has_text ? ", txt)" : ")"));
   }
   return {name, Target::Kind::mesh, *format};

@@ -12,7 +12,20 @@ namespace quoin::cli {
 
 /// What an output is to hold.
 struct Target {
-  enum class Kind { mesh, grid, simplices, page, exact, drawing, planar, planar_exact, picture, planar_page, report };
+  enum class Kind {
+    mesh,
+    grid,
+    simplices,
+    cells,
+    page,
+    exact,
+    drawing,
+    planar,
+    planar_exact,
+    picture,
+    planar_page,
+    report
+  };
   std::string name;
   Kind kind = Kind::mesh;
   MeshFormat format = MeshFormat::off;               ///< of Kind::mesh

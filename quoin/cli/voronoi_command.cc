@@ -111,6 +111,27 @@ Json list_of(const NearestCells& cells, const Sizes& sizes, const PointFile& fil
   return list;
 }
 
+/// All bounded faces, with exact volumes of those that are cells.
+ExactCells exact_cells_of(NearestCells& cells, bool of_plane, const Context& context) {
+  const std::vector<std::uint32_t> order = in_order_of_inputs(cells);
+  ExactCells made = cells.bounded_faces(order, context);
+  std::vector<Rational> sizes(cells.site_count());
+  for_each_chunk(context, cells.site_count(), grain, [&](const Chunk& chunk) {
+    for (auto s = static_cast<std::uint32_t>(chunk.begin); s < chunk.end; ++s) {
+      context.poll();
+      if (cells.is_bounded(s)) sizes[s] = cells.size(s);
+    }
+  });
+  ExactNumbers column;
+  const std::size_t faces = made.cell_count() - cells.bounded_count();
+  for (std::size_t c = 0; c < faces; ++c) column.add_none();
+  for (const std::uint32_t s : order) {
+    if (cells.is_bounded(s)) column.add(sizes[s]);
+  }
+  made.cell_data.numbers.emplace_back(of_plane ? "area" : "volume", std::move(column));
+  return made;
+}
+
 VtkGrid grid_of(NearestCells& cells, const Sizes& sizes, bool of_plane, const Context& context) {
   VtkGrid grid;
   grid.cell_integers.push_back({"input", {}});
@@ -151,8 +172,7 @@ int run_voronoi(const Options& options, const Context& context) {
                   options);
   const std::unique_ptr<NearestCells> cells = nearest_cells(file, of_plane, is_written, context);
   const Sizes sizes = options.cells || is_written ? sizes_of(*cells, options, context) : Sizes();
-  std::size_t bounded = 0;
-  for (std::uint32_t s = 0; s < cells->site_count(); ++s) bounded += cells->is_bounded(s) ? 1 : 0;
+  const std::size_t bounded = cells->bounded_count();
   Json report = describe(file, options);
   report["distinct"] = cells->site_count();
   report.update(cells->counts());
@@ -160,9 +180,10 @@ int run_voronoi(const Options& options, const Context& context) {
   report["infinite_cells"] = cells->site_count() - bounded;
   if (!options.outputs.empty() && bounded < cells->site_count())
     warnings.push_back(std::to_string(cells->site_count() - bounded) + " cells are infinite and are not written");
-  write_cells(
-      {.grid = [&] { return grid_of(*cells, sizes, of_plane, context); }, .mesh = [&] { return cells->mesh(context); }},
-      options, warnings, context);
+  write_cells({.grid = [&] { return grid_of(*cells, sizes, of_plane, context); },
+               .mesh = [&] { return cells->mesh(context); },
+               .cells = [&] { return exact_cells_of(*cells, of_plane, context); }},
+              options, warnings, context);
   std::string text = as_text(report);
   if (options.cells) {
     report["cells"] = list_of(*cells, sizes, file, of_plane, context);

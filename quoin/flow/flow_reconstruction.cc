@@ -41,7 +41,8 @@ struct SaddlesOfEnds {
 
 class MeshMaker {
  public:
-  explicit MeshMaker(const FlowCells& flow) : flow_(flow), surfaces_(flow), unscale_(flow.triangulation().unscale()) {}
+  MeshMaker(const FlowCells& flow, const FlowMeshOptions& options)
+      : flow_(flow), surfaces_(flow), unscale_(flow.triangulation().unscale()), options_(options) {}
 
   void add(const WallSaddle& wall, const Context& context) {
     const SurfacePieces& surface = surfaces_.follow(wall.facet, context);
@@ -62,13 +63,14 @@ class MeshMaker {
  private:
   static constexpr std::uint32_t none = 0xFFFFFFFF;
 
-  std::uint32_t add_point(const Point3& p) {
-    mesh_.points.push_back(p);
+  std::uint32_t add_point(const RationalPoint3& p) {
+    mesh_.points.push_back(to_nearest_doubles(p));
+    if (options_.keeps_exact_points) mesh_.exact_points.push_back(p);
     return static_cast<std::uint32_t>(mesh_.points.size() - 1);
   }
   std::uint32_t corner(std::uint32_t vertex) {
     const auto [at, is_new] = corners_.try_emplace(vertex, 0);
-    if (is_new) at->second = add_point(flow_.triangulation().point(vertex));
+    if (is_new) at->second = add_point(exact_point(flow_.triangulation().point(vertex)));
     return at->second;
   }
   std::uint32_t midpoint(const std::array<std::uint32_t, 2>& edge) {
@@ -76,20 +78,21 @@ class MeshMaker {
     const auto [at, is_new] = midpoints_.try_emplace(static_cast<std::uint64_t>(low) << 32 | high, 0);
     if (is_new) {
       const Rational half = Rational(1) / Rational(2);
-      at->second = add_point(to_nearest_doubles(
-          (exact_point(flow_.triangulation().point(low)) + exact_point(flow_.triangulation().point(high))) * half));
+      at->second = add_point(
+          (exact_point(flow_.triangulation().point(low)) + exact_point(flow_.triangulation().point(high))) * half);
     }
     return at->second;
   }
   std::uint32_t constructed(std::uint32_t node) {
     if (constructed_[node] == none) {
-      constructed_[node] = add_point(to_nearest_doubles(surfaces_.chain().exact_point(node) * unscale_));
+      constructed_[node] = add_point(surfaces_.chain().exact_point(node) * unscale_);
     }
     return constructed_[node];
   }
   const FlowCells& flow_;
   SaddleSurfaces surfaces_;
   Rational unscale_;
+  FlowMeshOptions options_;
   FlowMesh mesh_;
   std::unordered_map<std::uint32_t, std::uint32_t> corners_;
   std::unordered_map<std::uint64_t, std::uint32_t> midpoints_;
@@ -143,8 +146,9 @@ std::vector<WallSaddle> walls_between(const FlowGraph& graph, std::span<const st
   return walls;
 }
 
-FlowMesh flow_mesh(const FlowCells& flow, std::span<const WallSaddle> wall, const Context& context) {
-  MeshMaker maker(flow);
+FlowMesh flow_mesh(const FlowCells& flow, std::span<const WallSaddle> wall, const Context& context,
+                   const FlowMeshOptions& options) {
+  MeshMaker maker(flow, options);
   for (std::size_t i = 0; i < wall.size(); ++i) {
     if (i % 64 == 0) context.poll();
     maker.add(wall[i], context);

@@ -52,10 +52,16 @@ struct FlowMesh {
   std::vector<std::uint32_t> saddle_of;  ///< of each triangle, by place in the list of saddles
   std::size_t not_ordinary = 0;  ///< surfaces that are not what they are in general position; their triangles' sides
                                  ///< and boundaries may be wrong
+  std::vector<RationalPoint3> exact_points;  ///< what the points are rounded from, if asked for
+};
+
+struct FlowMeshOptions {
+  bool keeps_exact_points = false;
 };
 
 /// The stable surfaces of saddles as triangles: counterclockwise seen from outside where they bound a solid.
 /// Coordinates are exact ones, each rounded to the nearest double. @throws Cancelled
-FlowMesh flow_mesh(const FlowCells& flow, std::span<const WallSaddle> wall, const Context& context);
+FlowMesh flow_mesh(const FlowCells& flow, std::span<const WallSaddle> wall, const Context& context,
+                   const FlowMeshOptions& options = {});
 
 }  // namespace quoin

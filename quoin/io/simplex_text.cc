@@ -6,9 +6,8 @@
 #include <span>
 
 #include "quoin/base/error.h"
-#include "quoin/io/exact_words.h"
+#include "quoin/io/exact_numbers.h"
 #include "quoin/io/text_lines.h"
-#include "quoin/topology/filtration.h"
 #include "quoin/topology/simplicial_complex.h"
 
 namespace quoin {
@@ -53,33 +52,6 @@ void require_simplices(const SimplexList& list, const std::string& name) {
   if (list.size() == 0) throw InputError(name + ": there is no simplex");
 }
 
-// Values as they are read: doubles, and beside them those that are none.
-class Values {
- public:
-  void add(const io::ExactNumber& number) {
-    if (!number.value) others_.emplace_back(doubles_.size(), number.exact);
-    doubles_.push_back(number.value ? *number.value : 0);
-  }
-
-  void finish(FiltrationText& result) {
-    if (others_.empty()) {
-      Grades<double> grades = grades_of<double>(doubles_);
-      result.grades = std::move(grades.grade);
-      result.values.assign(grades.values.begin(), grades.values.end());
-      return;
-    }
-    std::vector<Rational> all(doubles_.begin(), doubles_.end());
-    for (auto& [place, value] : others_) all[place] = std::move(value);
-    Grades<Rational> grades = grades_of<Rational>(all);
-    result.grades = std::move(grades.grade);
-    result.values = std::move(grades.values);
-  }
-
- private:
-  std::vector<double> doubles_;
-  std::vector<std::pair<std::size_t, Rational>> others_;
-};
-
 }  // namespace
 
 SimplexList read_simplices(std::string_view text, const std::string& name, const Context& context) {
@@ -97,7 +69,7 @@ SimplexList read_simplices(std::string_view text, const std::string& name, const
 FiltrationText read_filtration(std::string_view text, const std::string& name, const Context& context) {
   io::TextLines lines(text, name, '#');
   FiltrationText result;
-  Values values;
+  ExactNumbers values;
   std::vector<std::uint32_t> row;
   while (lines.next()) {
     if (result.simplices.size() % 1024 == 0) context.poll();
@@ -105,7 +77,9 @@ FiltrationText read_filtration(std::string_view text, const std::string& name, c
     add_simplex(lines, std::span(lines.words()).subspan(1), result.simplices, row);
   }
   require_simplices(result.simplices, name);
-  values.finish(result);
+  Grades<Rational> grades = values.grades();
+  result.grades = std::move(grades.grade);
+  result.values = std::move(grades.values);
   return result;
 }
 

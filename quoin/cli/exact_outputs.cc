@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quoin/cli/exact_outputs.h"
+
+#include <array>
+#include <utility>
+
+#include "quoin/kernel/rational_point.h"
+
+namespace quoin::cli {
+
+namespace {
+
+constexpr std::size_t poll_step = 4096;
+
+void add_numbers(ExactColumns& columns, const char* name, std::span<const std::uint32_t> inputs, const auto& value_of) {
+  ExactNumbers& column = columns.numbers.emplace_back(name, ExactNumbers()).second;
+  for (const std::uint32_t i : inputs) column.add(value_of(i));
+}
+
+void add_colors(ExactColumns& columns, std::span<const std::uint32_t> inputs, const std::vector<Color>& colors) {
+  static constexpr std::array<std::pair<const char*, std::uint8_t Color::*>, 4> channels{
+      {{"red", &Color::r}, {"green", &Color::g}, {"blue", &Color::b}, {"alpha", &Color::a}}};
+  for (const auto& [name, channel] : channels) {
+    std::vector<std::uint32_t>& column = columns.integers.emplace_back(name, std::vector<std::uint32_t>()).second;
+    for (const std::uint32_t i : inputs) column.push_back(colors[i].*channel);
+  }
+}
+
+/// Without cells.
+ExactCells vertices_of(const PointFile& file, const std::vector<std::uint32_t>& first_input,
+                       const std::vector<std::uint32_t>& multiplicity) {
+  ExactCells cells;
+  cells.dimension = static_cast<unsigned>(file.dimension);
+  for (const std::uint32_t i : first_input) cells.add_point(file.points[i]);
+  ExactColumns& columns = cells.point_data;
+  columns.integers = {{"input", first_input}, {"multiplicity", multiplicity}};
+  if (!file.colors.empty()) add_colors(columns, first_input, file.colors);
+  if (!file.weights.empty())
+    add_numbers(columns, "weight", first_input, [&](std::uint32_t i) { return file.weights[i]; });
+  if (!file.intensities.empty())
+    add_numbers(columns, "intensity", first_input, [&](std::uint32_t i) { return file.intensities[i]; });
+  if (!file.normals.empty()) {
+    add_numbers(columns, "nx", first_input, [&](std::uint32_t i) { return file.normals[i].x; });
+    add_numbers(columns, "ny", first_input, [&](std::uint32_t i) { return file.normals[i].y; });
+    add_numbers(columns, "nz", first_input, [&](std::uint32_t i) { return file.normals[i].z; });
+  }
+  return cells;
+}
+
+}  // namespace
+
+ExactCells exact_cells_of(const TriangulatedPoints& triangulated, const PointFile& file) {
+  ExactCells cells = vertices_of(file, triangulated.first_input, triangulated.multiplicity);
+  const auto size = static_cast<std::size_t>(triangulated.dimension) + 1;
+  for (const auto& simplex : triangulated.simplices) cells.add_cell(ExactCellKind::simplex, {simplex.data(), size});
+  if (!triangulated.delone_of.empty()) cells.cell_data.integers.emplace_back("delone_cell", triangulated.delone_of);
+  return cells;
+}
+
+ExactCells exact_cells_of_shape(const AlphaPoints& points, std::uint32_t grades, const PointFile& file,
+                                const Context& context) {
+  const AlphaComplex& alpha = points.alpha;
+  ExactCells cells = vertices_of(file, points.first_input, points.multiplicity);
+  ExactNumbers values;
+  Rational value;
+  std::uint32_t last = ExactColumns::none;
+  for (const SimplexId s : alpha.order(context)) {
+    if (cells.cell_count() % poll_step == 0) context.poll();
+    const std::uint32_t grade = alpha.grade_of(s);
+    if (grade >= grades) break;
+    if (grade != last) value = alpha.exact_value(grade);
+    last = grade;
+    cells.add_cell(ExactCellKind::simplex, alpha.complex().vertices(s));
+    values.add(value);
+  }
+  cells.cell_data.numbers.emplace_back("value", std::move(values));
+  return cells;
+}
+
+ExactCells exact_cells_of_graph(const AlphaPoints& points, const VertexPairs& edges, const PointFile& file) {
+  ExactCells cells = vertices_of(file, points.first_input, points.multiplicity);
+  ExactNumbers squares;
+  for (const auto& edge : edges) {
+    cells.add_cell(ExactCellKind::simplex, edge);
+    const RationalPoint3 between =
+        exact_point(points.alpha.spheres().point(edge[1])) - exact_point(points.alpha.spheres().point(edge[0]));
+    squares.add(dot(between, between));
+  }
+  cells.cell_data.numbers.emplace_back("square_length", std::move(squares));
+  return cells;
+}
+
+}  // namespace quoin::cli
