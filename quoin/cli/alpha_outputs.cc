@@ -168,24 +168,25 @@ VtkGrid grid_of_shape(const AlphaPoints& points, const AlphaIntervals& intervals
   return grid;
 }
 
-Mesh mesh_of_shape(const AlphaPoints& points, const AlphaIntervals& intervals, std::uint32_t grades,
+CellMesh mesh_of_shape(const AlphaPoints& points, const AlphaIntervals& intervals, std::uint32_t grades,
                    const PointFile& file, const Context& context) {
   const std::vector<Triangle> triangles = points.alpha.dimension() == 3
                                               ? triangles_of_space(points.alpha, intervals, grades, context)
                                               : triangles_of_plane(points.alpha, grades, context);
-  Mesh mesh;
+  CellMesh made;
+  Mesh& mesh = made.mesh;
   std::vector<std::uint32_t> number(points.first_input.size(), none);
   for (const Triangle& t : triangles) {
     for (const std::uint32_t v : t) {
       if (number[v] == none) {
         number[v] = static_cast<std::uint32_t>(mesh.vertices.size());
-        mesh.vertices.push_back(file.points[points.first_input[v]]);
+        made.add_vertex(file, points.first_input[v]);
       }
       mesh.corners.push_back(number[v]);
     }
     mesh.face_begin.push_back(mesh.corners.size());
   }
-  return mesh;
+  return made;
 }
 
 void write_filtration(std::ostream& out, const AlphaPoints& points, std::uint32_t grades, bool is_exact,

@@ -5,7 +5,7 @@
 
 #include "quoin/base/context.h"
 #include "quoin/cli/alpha_points.h"
-#include "quoin/io/mesh_file.h"
+#include "quoin/cli/cell_outputs.h"
 #include "quoin/io/vtk_grid.h"
 #include "quoin/triangulation/alpha_shape.h"
 #include "quoin/triangulation/neighbour_graphs.h"
@@ -18,7 +18,7 @@ VtkGrid grid_of_shape(const AlphaPoints& points, const AlphaIntervals& intervals
 
 /// Of space: the triangles of that complex that are not in the interior, those of tetrahedra counterclockwise from
 /// outside. Of the plane, or of points in one: all triangles. With their vertices.
-Mesh mesh_of_shape(const AlphaPoints& points, const AlphaIntervals& intervals, std::uint32_t grades,
+CellMesh mesh_of_shape(const AlphaPoints& points, const AlphaIntervals& intervals, std::uint32_t grades,
                    const PointFile& file, const Context& context);
 
 /// A line for each simplex of that complex: its value, the nearest double or exactly, and the numbers of its points; by

@@ -22,6 +22,16 @@ void require_finite(const Mesh& mesh) {
   }
 }
 
+void write_cell_mesh(const Target& target, const CellMesh& made, std::vector<std::string>& warnings,
+                     const Context& context) {
+  require_finite(made.mesh);
+  if (made.mesh.face_count() == 0) warnings.push_back(target.name + ": there are no faces to write");
+  WriteReport report;
+  write_target(target, [&](std::ostream& out) { report = write_mesh(out, target.format, made.mesh, context, made.data); });
+  for (const std::string& what : report.dropped_vertex_data)
+    warnings.push_back(target.name + ": the format holds no " + what + " of vertices");
+}
+
 void write_one(const Target& target, const CellOutputs& outputs, const Options& options,
                std::vector<std::string>& warnings, const Context& context) {
   if (target.kind == Target::Kind::grid) {
@@ -40,14 +50,19 @@ void write_one(const Target& target, const CellOutputs& outputs, const Options& 
     context.progress("writing", 0);
     write_target(target, [&](std::ostream& out) { write_layered_page(out, made); });
   } else {
-    const Mesh made = outputs.mesh();
-    require_finite(made);
-    if (made.face_count() == 0) warnings.push_back(target.name + ": there are no faces to write");
-    write_target(target, [&](std::ostream& out) { write_mesh(out, target.format, made, context); });
+    write_cell_mesh(target, outputs.mesh(), warnings, context);
   }
 }
 
 }  // namespace
+
+void CellMesh::add_vertex(const PointFile& file, std::uint32_t input) {
+  mesh.vertices.push_back(file.points[input]);
+  if (!file.normals.empty()) data.normals.push_back(file.normals[input]);
+  if (!file.colors.empty()) data.colors.push_back(file.colors[input]);
+  if (!file.intensities.empty()) data.intensities.push_back(file.intensities[input]);
+  if (!file.weights.empty()) data.weights.push_back(file.weights[input]);
+}
 
 bool writes_exact_cells(const Options& options) {
   return std::ranges::count(targets_of(options), Target::Kind::cells, &Target::kind) > 0;

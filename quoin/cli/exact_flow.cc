@@ -2,7 +2,7 @@
 #include "quoin/cli/exact_flow.h"
 
 #include <array>
-#include <map>
+#include <utility>
 
 namespace quoin::cli {
 
@@ -24,13 +24,32 @@ void ExactFlow::add(std::span<const std::uint32_t> corners, std::uint32_t index,
   squares_.add(square);
 }
 
+std::uint32_t ExactFlow::place(const RationalPoint3& p) {
+  const Point3 rounded = to_nearest_doubles(p);
+  const std::array<double, 3> key{rounded.x, rounded.y, rounded.z};
+  const auto is_there = [&](std::uint32_t i) {
+    for (unsigned k = 0; k < 3; ++k) {
+      if (cells_.positions.exact(std::size_t{3} * i + k) != p[k]) return false;
+    }
+    return true;
+  };
+  const auto [begin, end] = places_.equal_range(key);
+  for (auto at = begin; at != end; ++at) {
+    if (is_there(at->second)) return at->second;
+  }
+  const auto number = static_cast<std::uint32_t>(cells_.point_count());
+  cells_.add_point(p);
+  places_.emplace(key, number);
+  return number;
+}
+
 void ExactFlow::add_critical_points(const FlowGraph& graph) {
-  const auto add_one = [&](const auto& p, std::uint32_t index, std::uint32_t number, const Rational& square) {
-    const std::uint32_t corner = add_point(p);
-    add({&corner, 1}, index, number, square);
+  const auto add_one = [&](const RationalPoint3& p, std::uint32_t index, std::uint32_t number, const Rational& square) {
+    add(std::array{place(p)}, index, number, square);
   };
   const Delaunay3& points = flow_.triangulation();
-  for (std::uint32_t v = 0; v < points.vertex_count(); ++v) add_one(points.point(v), 0, points.inputs(v)[0], 0);
+  for (std::uint32_t v = 0; v < points.vertex_count(); ++v)
+    add_one(exact_point(points.point(v)), 0, points.inputs(v)[0], 0);
   std::uint32_t edges = 0;
   flow_.for_each_critical_edge(context_, [&](std::uint32_t cell, unsigned edge) {
     add_one(values_.midpoint(cell, edge), 1, edges++, values_.exactly_of_edge(cell, edge));
@@ -41,31 +60,46 @@ void ExactFlow::add_critical_points(const FlowGraph& graph) {
     add_one(values_.centre(graph.maxima()[i].cell), 3, i, graph.exact_square_of_maximum(i));
 }
 
-void ExactFlow::add_critical_edges(const std::optional<Rational>& most) {
-  std::map<std::uint32_t, std::uint32_t> corner_of;
+std::array<std::uint32_t, 2> ExactFlow::ends(std::uint32_t cell, unsigned edge) {
+  const auto end = [&](unsigned i) {
+    return place(exact_point(flow_.triangulation().point(flow_.cells()[cell].vertices[edge_slots[edge][i]])));
+  };
+  const std::uint32_t first = end(0);
+  return {first, end(1)};
+}
+
+void ExactFlow::add_critical_edges() {
+  std::uint32_t count = 0;
+  flow_.for_each_critical_edge(context_, [&](std::uint32_t cell, unsigned edge) {
+    add(ends(cell, edge), 1, count++, values_.exactly_of_edge(cell, edge));
+  });
+}
+
+void ExactFlow::add_graph(const Rational& most) {
+  const Delaunay3& points = flow_.triangulation();
+  for (std::uint32_t v = 0; v < points.vertex_count(); ++v)
+    add(std::array{place(exact_point(points.point(v)))}, 0, points.inputs(v)[0], 0);
   std::uint32_t count = 0;
   flow_.for_each_critical_edge(context_, [&](std::uint32_t cell, unsigned edge) {
     const std::uint32_t number = count++;
     const Rational square = values_.exactly_of_edge(cell, edge);
-    if (most && square > *most) return;
-    std::array<std::uint32_t, 2> corners{};
-    for (unsigned i = 0; i < 2; ++i) {
-      const std::uint32_t v = flow_.cells()[cell].vertices[edge_slots[edge][i]];
-      const auto [at, is_new] = corner_of.try_emplace(v, 0);
-      if (is_new) at->second = add_point(flow_.triangulation().point(v));
-      corners[i] = at->second;
-    }
-    add(corners, 1, number, square);
+    if (square > most) return;
+    const std::uint32_t middle = place(values_.midpoint(cell, edge));
+    for (const std::uint32_t end : ends(cell, edge)) add(std::array{end, middle}, 1, number, square);
   });
 }
 
 void ExactFlow::add_surfaces(const FlowMesh& mesh, std::span<const WallSaddle> saddles) {
-  const auto first = static_cast<std::uint32_t>(cells_.point_count());
-  for (const RationalPoint3& p : mesh.exact_points) cells_.add_point(p);
+  std::vector<std::uint32_t> number;
+  number.reserve(mesh.exact_points.size());
+  for (const RationalPoint3& p : mesh.exact_points) {
+    if (number.size() % 256 == 0) context_.poll();
+    number.push_back(place(p));
+  }
   Rational square;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     std::array<std::uint32_t, 3> corners = mesh.triangles[t];
-    for (std::uint32_t& corner : corners) corner += first;
+    for (std::uint32_t& corner : corners) corner = number[corner];
     const std::uint32_t saddle = mesh.saddle_of[t];
     if (t == 0 || saddle != mesh.saddle_of[t - 1]) square = values_.exactly_of_facet(saddles[saddle].facet);
     add(corners, 2, saddle, square);

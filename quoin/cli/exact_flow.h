@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
+#include <array>
+#include <map>
 #include <span>
 
 #include "quoin/base/context.h"
@@ -18,25 +19,28 @@ class ExactFlow {
 
   /// Critical points as simplices of one vertex, with `index` and `number`.
   void add_critical_points(const FlowGraph& graph);
-  /// Critical edges, up to a squared distance if there is one.
-  void add_critical_edges(const std::optional<Rational>& most);
-  /// Triangles of stable surfaces, of a mesh with its exact points.
+  /// Critical edges, all of them.
+  void add_critical_edges();
+  /// All input points and, up to a squared distance, critical edges in two halves: as they meet stable surfaces.
+  void add_graph(const Rational& most);
+  /// Triangles of stable surfaces, of a mesh with its exact points. What they have in common with cells before them are
+  /// the same points.
   void add_surfaces(const FlowMesh& mesh, std::span<const WallSaddle> saddles);
 
   ExactCells take();
 
  private:
-  template <class Point>
-  std::uint32_t add_point(const Point& p) {
-    cells_.add_point(p);
-    return static_cast<std::uint32_t>(cells_.point_count() - 1);
-  }
+  /// The point of the cells that is there, a new one if there is none.
+  std::uint32_t place(const RationalPoint3& p);
+  /// The ends of an edge of a simplex.
+  std::array<std::uint32_t, 2> ends(std::uint32_t cell, unsigned edge);
   void add(std::span<const std::uint32_t> corners, std::uint32_t index, std::uint32_t number, const Rational& square);
 
   const FlowCells& flow_;
   const Context& context_;
   CriticalValues values_;
   ExactCells cells_;
+  std::multimap<std::array<double, 3>, std::uint32_t> places_;  ///< points by their nearest doubles
   std::vector<std::uint32_t> indices_;
   std::vector<std::uint32_t> numbers_;
   ExactNumbers squares_;

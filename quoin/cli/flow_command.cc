@@ -76,11 +76,11 @@ class FlowOfSpace {
   ExactCells exact_cells() {
     ExactFlow exact(flow_, context_);
     if (options_.stable == 1) {
-      exact.add_critical_edges(std::nullopt);
+      exact.add_critical_edges();
     } else if (!has_surfaces()) {
       exact.add_critical_points(graph());
     } else {
-      if (options_.shape) exact.add_critical_edges(square_of(*options_.shape));
+      if (options_.shape) exact.add_graph(square_of(*options_.shape));
       exact.add_surfaces(mesh(), walls_);
     }
     return exact.take();

@@ -231,12 +231,13 @@ VtkGrid grid_of(const TriangulatedPoints& triangulated, const PointFile& file) {
   return grid;
 }
 
-Mesh mesh_of(const TriangulatedPoints& triangulated, const PointFile& file) {
-  Mesh mesh;
+CellMesh mesh_of(const TriangulatedPoints& triangulated, const PointFile& file) {
+  CellMesh made;
+  Mesh& mesh = made.mesh;
   std::vector<std::uint32_t> number(triangulated.first_input.size(), none);
   const auto add = [&](std::uint32_t vertex) {
     number[vertex] = static_cast<std::uint32_t>(mesh.vertices.size());
-    mesh.vertices.push_back(file.points[triangulated.first_input[vertex]]);
+    made.add_vertex(file, triangulated.first_input[vertex]);
   };
   const auto add_face = [&](const std::uint32_t* vertices) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -252,7 +253,7 @@ Mesh mesh_of(const TriangulatedPoints& triangulated, const PointFile& file) {
   if (triangulated.dimension == 2) {
     for (const auto& simplex : triangulated.simplices) add_face(simplex.data());
   }
-  return mesh;
+  return made;
 }
 
 }  // namespace quoin::cli

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "quoin/base/context.h"
-#include "quoin/io/mesh_file.h"
+#include "quoin/cli/cell_outputs.h"
 #include "quoin/io/point_file.h"
 #include "quoin/io/vtk_grid.h"
 
@@ -54,6 +54,6 @@ VtkGrid grid_of(const TriangulatedPoints& triangulated, const PointFile& file);
 
 /// The triangles of the hull with its vertices, or all triangles of dimension 2 with all vertices. Nothing of lower
 /// dimension.
-Mesh mesh_of(const TriangulatedPoints& triangulated, const PointFile& file);
+CellMesh mesh_of(const TriangulatedPoints& triangulated, const PointFile& file);
 
 }  // namespace quoin::cli

@@ -75,18 +75,29 @@ MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options
 /// The same from bytes in memory; `name` stands for the file in messages, its ending is a hint.
 MeshFile read_mesh(std::string_view bytes, const std::string& name, const ReadOptions& options, const Context& context);
 
+/// What is known of the vertices of a mesh over given points: each list is empty, or has one per vertex.
+struct VertexData {
+  std::vector<Vector3> normals;
+  std::vector<Color> colors;
+  std::vector<double> intensities;
+  std::vector<double> weights;
+};
+
 struct WriteReport {
   std::size_t rounded_coordinates = 0;  ///< that the format could not hold
   double largest_rounding = 0;
-  bool dropped_colors = false;  ///< the mesh has colours and the format has none
+  bool dropped_colors = false;                   ///< the mesh has colours of faces and the format has none
+  std::vector<std::string> dropped_vertex_data;  ///< what is known of vertices and the format does not hold
 };
 
-/// Writes a mesh; text formats hold the shortest decimals that read back to the same doubles.
+/// Writes a mesh; text formats hold the shortest decimals that read back to the same doubles. PLY holds all data of
+/// vertices, OBJ normals and colours.
 /// @throws FileError   the file cannot be written
 /// @throws InputError  the format cannot hold the mesh (polygons in STL, coordinates beyond single precision in
 ///                     binary STL), or is only read (3MF)
 WriteReport write_mesh(const std::filesystem::path& path, MeshFormat format, const Mesh& mesh, const Context& context);
-WriteReport write_mesh(std::ostream& out, MeshFormat format, const Mesh& mesh, const Context& context);
+WriteReport write_mesh(std::ostream& out, MeshFormat format, const Mesh& mesh, const Context& context,
+                       const VertexData& data = {});
 
 /// The whole content of a file. @throws FileError
 std::string read_file(const std::filesystem::path& path);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <array>
-#include <bit>
+#include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <fstream>
@@ -10,64 +8,15 @@
 #include <ostream>
 
 #include "quoin/base/error.h"
+#include "quoin/io/block_writer.h"
 #include "quoin/io/mesh_file.h"
+#include "quoin/io/mesh_writers.h"
 
 namespace quoin {
 
 namespace {
 
-// Collects output in blocks of some size before it goes to the stream.
-class Writer {
- public:
-  Writer(std::ostream& out, const Context& context) : out_(out), context_(context) {}
-  ~Writer() { flush(); }
-  Writer(const Writer&) = delete;
-  Writer& operator=(const Writer&) = delete;
-
-  Writer& text(std::string_view s) {
-    block_.append(s);
-    if (block_.size() > 65536) {
-      context_.poll();
-      flush();
-    }
-    return *this;
-  }
-
-  /// Shortest decimals that read back to the same double.
-  Writer& number(double value) {
-    std::array<char, 32> digits;
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-    return text({digits.data(), static_cast<std::size_t>(end - digits.data())});
-  }
-
-  Writer& number(std::size_t value) {
-    std::array<char, 24> digits;
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-    return text({digits.data(), static_cast<std::size_t>(end - digits.data())});
-  }
-
-  template <class T>
-  Writer& binary(T value, bool big_endian = false) {
-    std::array<char, sizeof(T)> bytes;
-    std::memcpy(bytes.data(), &value, sizeof(T));
-    if (big_endian == (std::endian::native == std::endian::little)) {
-      for (std::size_t i = 0; i < sizeof(T) / 2; ++i) std::swap(bytes[i], bytes[sizeof(T) - 1 - i]);
-    }
-    return text({bytes.data(), bytes.size()});
-  }
-
-  Writer& point(const Point3& p) { return number(p.x).text(" ").number(p.y).text(" ").number(p.z); }
-
- private:
-  void flush() {
-    out_.write(block_.data(), static_cast<std::streamsize>(block_.size()));
-    block_.clear();
-  }
-
-  std::ostream& out_;
-  const Context& context_;
-  std::string block_;
-};
+using io::BlockWriter;
 
 // One line of text: control characters of a name would end it.
 std::string line_of(const std::string& name) {
@@ -78,29 +27,35 @@ std::string line_of(const std::string& name) {
   return line;
 }
 
-// The corners of a face with their number, and its colour if there are colours, as words of a line.
-void write_face_line(Writer& out, const Mesh& mesh, std::size_t f) {
-  out.number(mesh.face(f).size());
-  for (const std::uint32_t v : mesh.face(f)) out.text(" ").number(std::size_t{v});
-  if (!mesh.face_colors.empty()) {
-    const Color& c = mesh.face_colors[f];
-    for (const std::uint8_t channel : {c.r, c.g, c.b, c.a}) out.text(" ").number(std::size_t{channel});
-  }
-  out.text("\n");
-}
-
-void write_off(Writer& out, const Mesh& mesh) {
+void write_off(BlockWriter& out, const Mesh& mesh) {
   out.text("OFF\n").number(mesh.vertices.size()).text(" ").number(mesh.face_count()).text(" 0\n");
   for (const Point3& p : mesh.vertices) out.point(p).text("\n");
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) write_face_line(out, mesh, f);
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) io::write_face_line(out, mesh, f);
 }
 
-void write_obj(Writer& out, const Mesh& mesh) {
+/// Colours behind the coordinates, as fractions, with opacity where it is not full; normals by the number of the
+/// vertex.
+void write_obj(BlockWriter& out, const Mesh& mesh, const VertexData& data) {
   if (!mesh.name.empty()) out.text("o ").text(line_of(mesh.name)).text("\n");
-  for (const Point3& p : mesh.vertices) out.text("v ").point(p).text("\n");
+  const bool is_opaque = std::ranges::all_of(data.colors, [](const Color& c) { return c.a == 255; });
+  const auto fraction = [&](std::uint8_t channel) { out.text(" ").number(channel / 255.0); };
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+    out.text("v ").point(mesh.vertices[v]);
+    if (!data.colors.empty()) {
+      const Color& c = data.colors[v];
+      for (const std::uint8_t channel : {c.r, c.g, c.b}) fraction(channel);
+      if (!is_opaque) fraction(c.a);
+    }
+    out.text("\n");
+  }
+  for (const Vector3& n : data.normals)
+    out.text("vn ").number(n.x).text(" ").number(n.y).text(" ").number(n.z).text("\n");
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
     out.text("f");
-    for (const std::uint32_t v : mesh.face(f)) out.text(" ").number(std::size_t{v} + 1);
+    for (const std::uint32_t v : mesh.face(f)) {
+      out.text(" ").number(std::size_t{v} + 1);
+      if (!data.normals.empty()) out.text("//").number(std::size_t{v} + 1);
+    }
     out.text("\n");
   }
 }
@@ -128,7 +83,7 @@ void require_triangles(const Mesh& mesh) {
   }
 }
 
-void write_stl_text(Writer& out, const Mesh& mesh) {
+void write_stl_text(BlockWriter& out, const Mesh& mesh) {
   const std::string name = mesh.name.empty() ? "quoin" : line_of(mesh.name);
   out.text("solid ").text(name).text("\n");
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
@@ -139,7 +94,7 @@ void write_stl_text(Writer& out, const Mesh& mesh) {
   out.text("endsolid ").text(name).text("\n");
 }
 
-void write_stl_binary(Writer& out, const Mesh& mesh) {
+void write_stl_binary(BlockWriter& out, const Mesh& mesh) {
   std::string header = "binary STL by quoin";
   header.resize(80, ' ');
   out.text(header).binary(static_cast<std::uint32_t>(mesh.face_count()));
@@ -153,42 +108,24 @@ void write_stl_binary(Writer& out, const Mesh& mesh) {
   }
 }
 
-void write_ply_header(Writer& out, MeshFormat format, const Mesh& mesh) {
-  const std::string_view kind = format == MeshFormat::ply_text            ? "ascii"
-                                : format == MeshFormat::ply_binary_little ? "binary_little_endian"
-                                                                          : "binary_big_endian";
-  out.text("ply\nformat ").text(kind).text(" 1.0\nelement vertex ").number(mesh.vertices.size());
-  out.text("\nproperty double x\nproperty double y\nproperty double z\nelement face ").number(mesh.face_count());
-  out.text("\nproperty list uint uint vertex_indices\n");
-  if (!mesh.face_colors.empty()) {
-    out.text("property uchar red\nproperty uchar green\nproperty uchar blue\nproperty uchar alpha\n");
-  }
-  out.text("end_header\n");
-}
-
-void write_ply_text(Writer& out, const Mesh& mesh) {
-  for (const Point3& p : mesh.vertices) out.point(p).text("\n");
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) write_face_line(out, mesh, f);
-}
-
-void write_ply_binary(Writer& out, const Mesh& mesh, bool big) {
-  for (const Point3& p : mesh.vertices) out.binary(p.x, big).binary(p.y, big).binary(p.z, big);
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    out.binary(static_cast<std::uint32_t>(mesh.face(f).size()), big);
-    for (const std::uint32_t v : mesh.face(f)) out.binary(v, big);
-    if (!mesh.face_colors.empty()) {
-      const Color& c = mesh.face_colors[f];
-      out.binary(c.r).binary(c.g).binary(c.b).binary(c.a);
-    }
-  }
-}
-
 void require_written(MeshFormat format) {
   if (!is_written(format)) throw InputError("3MF files are read, not written");
 }
 
-WriteReport report_on(MeshFormat format, const Mesh& mesh) {
+bool is_ply(MeshFormat format) {
+  return format == MeshFormat::ply_text || format == MeshFormat::ply_binary_little ||
+         format == MeshFormat::ply_binary_big;
+}
+
+WriteReport report_on(MeshFormat format, const Mesh& mesh, const VertexData& data) {
   WriteReport report;
+  const bool is_obj = format == MeshFormat::obj;
+  if (!is_ply(format)) {
+    if (!data.normals.empty() && !is_obj) report.dropped_vertex_data.emplace_back("normals");
+    if (!data.colors.empty() && !is_obj) report.dropped_vertex_data.emplace_back("colours");
+    if (!data.intensities.empty()) report.dropped_vertex_data.emplace_back("intensities");
+    if (!data.weights.empty()) report.dropped_vertex_data.emplace_back("weights");
+  }
   report.dropped_colors = !mesh.face_colors.empty() && (format == MeshFormat::obj || is_triangles_only(format));
   if (!is_single_precision(format)) return report;
   for (const Point3& p : mesh.vertices) {
@@ -206,18 +143,19 @@ WriteReport report_on(MeshFormat format, const Mesh& mesh) {
 
 }  // namespace
 
-WriteReport write_mesh(std::ostream& stream, MeshFormat format, const Mesh& mesh, const Context& context) {
+WriteReport write_mesh(std::ostream& stream, MeshFormat format, const Mesh& mesh, const Context& context,
+                       const VertexData& data) {
   require_written(format);
   if (is_triangles_only(format)) require_triangles(mesh);
-  const WriteReport report = report_on(format, mesh);
+  const WriteReport report = report_on(format, mesh, data);
   {
-    Writer out(stream, context);
+    BlockWriter out(stream, context);
     switch (format) {
       case MeshFormat::off:
         write_off(out, mesh);
         break;
       case MeshFormat::obj:
-        write_obj(out, mesh);
+        write_obj(out, mesh, data);
         break;
       case MeshFormat::stl_text:
         write_stl_text(out, mesh);
@@ -226,13 +164,9 @@ WriteReport write_mesh(std::ostream& stream, MeshFormat format, const Mesh& mesh
         write_stl_binary(out, mesh);
         break;
       case MeshFormat::ply_text:
-        write_ply_header(out, format, mesh);
-        write_ply_text(out, mesh);
-        break;
       case MeshFormat::ply_binary_little:
       case MeshFormat::ply_binary_big:
-        write_ply_header(out, format, mesh);
-        write_ply_binary(out, mesh, format == MeshFormat::ply_binary_big);
+        io::write_ply(out, format, mesh, data);
         break;
       case MeshFormat::threemf:
         break;  // refused above
