@@ -10,6 +10,8 @@
 #include "fuzz/targets.h"
 #include "quoin/base/error.h"
 #include "quoin/io/arrangement_text.h"
+#include "quoin/io/cells_complex.h"
+#include "quoin/io/cells_text.h"
 #include "quoin/io/exact_text.h"
 #include "quoin/io/mesh_file.h"
 #include "quoin/io/test_archives.h"
@@ -94,6 +96,23 @@ void read_arrangement(std::span<const std::uint8_t> bytes) {
     const std::string first = std::visit(written, any);
     const std::string second = std::visit(written, read_arrangement_text(first, "again.qarr", context));
     require(first == second, "exact text of an arrangement is the same after another round");
+  } catch (const InputError&) {
+  }
+}
+
+void read_cells(std::span<const std::uint8_t> bytes) {
+  const Context context({.threads = 1});
+  try {
+    const ExactCells cells = read_cells_text(text_of(bytes), "input.qcells", context);
+    std::ostringstream first;
+    write_cells_text(first, cells, context);
+    const ExactCells again = read_cells_text(first.str(), "again.qcells", context);
+    require(again == cells, "exact cells survive writing and reading");
+    std::ostringstream second;
+    write_cells_text(second, again, context);
+    require(first.str() == second.str(), "exact text of cells is the same after another round");
+    (void)simplices_of_cells(cells, context);
+    (void)filtration_of_cells(cells, "input.qcells", context);
   } catch (const InputError&) {
   }
 }

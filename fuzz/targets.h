@@ -23,6 +23,7 @@ void read_3mf(std::span<const std::uint8_t> bytes);
 void read_points(std::span<const std::uint8_t> bytes);
 void read_exact(std::span<const std::uint8_t> bytes);
 void read_arrangement(std::span<const std::uint8_t> bytes);
+void read_cells(std::span<const std::uint8_t> bytes);
 void read_wkt(std::span<const std::uint8_t> bytes);
 void read_geojson(std::span<const std::uint8_t> bytes);
 void read_svg(std::span<const std::uint8_t> bytes);
@@ -36,6 +37,7 @@ inline constexpr NamedTarget targets[] = {{"read_off", read_off},       {"read_o
                                           {"read_points", read_points}, {"read_arrangement", read_arrangement},
                                           {"read_wkt", read_wkt},       {"read_geojson", read_geojson},
                                           {"read_svg", read_svg},       {"read_dxf", read_dxf},
-                                          {"predicates", predicates},   {"booleans", booleans}};
+                                          {"predicates", predicates},   {"booleans", booleans},
+                                          {"read_cells", read_cells}};
 
 }  // namespace quoin::fuzz

@@ -169,7 +169,7 @@ VtkGrid grid_of_shape(const AlphaPoints& points, const AlphaIntervals& intervals
 }
 
 CellMesh mesh_of_shape(const AlphaPoints& points, const AlphaIntervals& intervals, std::uint32_t grades,
-                   const PointFile& file, const Context& context) {
+                       const PointFile& file, const Context& context) {
   const std::vector<Triangle> triangles = points.alpha.dimension() == 3
                                               ? triangles_of_space(points.alpha, intervals, grades, context)
                                               : triangles_of_plane(points.alpha, grades, context);

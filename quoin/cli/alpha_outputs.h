@@ -19,7 +19,7 @@ VtkGrid grid_of_shape(const AlphaPoints& points, const AlphaIntervals& intervals
 /// Of space: the triangles of that complex that are not in the interior, those of tetrahedra counterclockwise from
 /// outside. Of the plane, or of points in one: all triangles. With their vertices.
 CellMesh mesh_of_shape(const AlphaPoints& points, const AlphaIntervals& intervals, std::uint32_t grades,
-                   const PointFile& file, const Context& context);
+                       const PointFile& file, const Context& context);
 
 /// A line for each simplex of that complex: its value, the nearest double or exactly, and the numbers of its points; by
 /// value, dimension and vertices.

@@ -188,8 +188,7 @@ void add_alpha(CLI::App& app, Options& options) {
   CLI::App* alpha = add_points_command(
       app, options, "alpha", "alpha complexes of points, exactly: their values, shapes, and graphs of neighbours",
       "vtk (simplices with values, or edges of a graph), ply obj off (the boundary, or triangles of the plane), html "
-      "(a page of all values), txt "
-      "(the filtration, or pairs of points)");
+      "(a page of all values), qcells (exact: the filtration, or edges), txt (the same in numbers of points)");
   alpha->add_flag("--weighted", options.weighted, "the last column is a weight: of the regular triangulation");
   alpha->add_option("--value", options.value, "the complex of this value, a squared radius: a decimal or p/q");
   alpha->add_option("--radius", options.radius, "the complex of the square of this");
@@ -211,14 +210,17 @@ void add_alpha(CLI::App& app, Options& options) {
 }
 
 void add_triangulations(CLI::App& app, Options& options) {
-  CLI::App* delaunay = add_points_command(
-      app, options, "delaunay", "the Delaunay triangulation of points, exactly",
-      "vtk (all cells), ply obj off (the hull, or all triangles of the plane), html (a page to look at)");
+  CLI::App* delaunay = add_points_command(app, options, "delaunay", "the Delaunay triangulation of points, exactly",
+                                          "vtk (all cells), ply obj off (the hull, or all triangles of the plane), "
+                                          "html (a page to look at), qcells (exact)");
+  delaunay->add_flag("--delone", options.delone,
+                     "files hold Delone cells, which do not depend on the choice of diagonals, not simplices");
   delaunay->add_flag("--weighted", options.weighted, "the last column is a weight: the regular triangulation");
   delaunay->add_flag("--check", options.check,
                      "prove that every sphere is empty, by other means than those that made it");
-  CLI::App* voronoi = add_points_command(app, options, "voronoi", "what is nearest to each of many points, exactly",
-                                         "vtk (all cells), ply obj off (bounded facets, or cells of the plane)");
+  CLI::App* voronoi =
+      add_points_command(app, options, "voronoi", "what is nearest to each of many points, exactly",
+                         "vtk (all cells), ply obj off (bounded facets, or cells of the plane), qcells (exact)");
   voronoi->add_flag("--cells", options.cells, "each cell: its volume or area, and its neighbours");
   voronoi->add_flag("--exact", options.exact, "of --cells: exact volumes at any length, not only short ones");
   add_alpha(app, options);

@@ -27,7 +27,8 @@ void write_cell_mesh(const Target& target, const CellMesh& made, std::vector<std
   require_finite(made.mesh);
   if (made.mesh.face_count() == 0) warnings.push_back(target.name + ": there are no faces to write");
   WriteReport report;
-  write_target(target, [&](std::ostream& out) { report = write_mesh(out, target.format, made.mesh, context, made.data); });
+  write_target(target,
+               [&](std::ostream& out) { report = write_mesh(out, target.format, made.mesh, context, made.data); });
   for (const std::string& what : report.dropped_vertex_data)
     warnings.push_back(target.name + ": the format holds no " + what + " of vertices");
 }

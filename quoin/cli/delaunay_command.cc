@@ -13,6 +13,7 @@
 #include "quoin/cli/point_input.h"
 #include "quoin/cli/point_scenes.h"
 #include "quoin/cli/summary.h"
+#include "quoin/cli/targets.h"
 #include "quoin/cli/triangulated_points.h"
 
 namespace quoin::cli {
@@ -48,15 +49,26 @@ LayeredScene page_of(const TriangulatedPoints& made, const PointFile& file, cons
   return scene;
 }
 
+void require_delone(const Options& options) {
+  if (options.weighted) throw UsageError("--delone is of points without weights");
+  for (const Target& target : targets_of(options)) {
+    if (target.kind == Target::Kind::page) throw UsageError(target.name + ": pages show simplices, not --delone cells");
+  }
+}
+
 }  // namespace
 
 int run_delaunay(const Options& options, const Context& context) {
   if (options.weighted && options.check)
     throw UsageError("--check proves that spheres are empty: there is no such proof yet for --weighted");
+  if (options.delone) require_delone(options);
   std::vector<std::string> warnings;
   const PointFile file = read_point_input(options, warnings, context);
-  const TriangulateOptions how{
-      .of_plane = is_of_plane(file, options), .check = options.check, .is_written = !options.outputs.empty()};
+  const bool is_written = !options.outputs.empty();
+  const TriangulateOptions how{.of_plane = is_of_plane(file, options),
+                               .check = options.check,
+                               .is_written = is_written,
+                               .delone = options.delone && is_written};
   announce_memory(memory_to_triangulate(file.points.size(), how, options.weighted), file.points.size(), options);
   const TriangulatedPoints made = triangulate(file, how, context);
   warn_of_points(made.heights_lost, made.dimension, options, how.of_plane, warnings);

@@ -51,6 +51,9 @@ ExactCells vertices_of(const PointFile& file, const std::vector<std::uint32_t>& 
 
 ExactCells exact_cells_of(const TriangulatedPoints& triangulated, const PointFile& file) {
   ExactCells cells = vertices_of(file, triangulated.first_input, triangulated.multiplicity);
+  const ExactCells& faces = triangulated.delone_faces;
+  for (std::size_t c = 0; c < faces.cell_count(); ++c) cells.add_cell(faces.kinds[c], faces.cell(c));
+  if (faces.cell_count() > 0) return cells;
   const auto size = static_cast<std::size_t>(triangulated.dimension) + 1;
   for (const auto& simplex : triangulated.simplices) cells.add_cell(ExactCellKind::simplex, {simplex.data(), size});
   if (!triangulated.delone_of.empty()) cells.cell_data.integers.emplace_back("delone_cell", triangulated.delone_of);

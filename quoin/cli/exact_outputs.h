@@ -11,7 +11,8 @@
 /// file says of their first points: `weight`, `intensity`, normals as `nx ny nz`, colours as `red green blue alpha`.
 namespace quoin::cli {
 
-/// All simplices of full dimension, with their Delone cells.
+/// All simplices of full dimension, with the numbers of their Delone cells; or these, by their faces, if they were
+/// asked for.
 ExactCells exact_cells_of(const TriangulatedPoints& triangulated, const PointFile& file);
 
 /// All simplices of the complex of so many grades, with exact values: by value, dimension and vertices.

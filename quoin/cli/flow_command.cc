@@ -81,7 +81,8 @@ class FlowOfSpace {
       exact.add_critical_points(graph());
     } else {
       if (options_.shape) exact.add_graph(square_of(*options_.shape));
-      exact.add_surfaces(mesh(), walls_);
+      const FlowMesh& surfaces = mesh();  // which makes the walls
+      exact.add_surfaces(surfaces, walls_);
     }
     return exact.take();
   }

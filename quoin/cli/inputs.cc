@@ -11,21 +11,14 @@
 #include "quoin/cli/diagnosis.h"
 #include "quoin/cli/streams.h"
 #include "quoin/io/exact_text.h"
+#include "quoin/io/text_lines.h"
 
 namespace quoin::cli {
 
 namespace {
 
-// Whether the first word that is not in a comment is that of exact text.
 bool begins_like_exact_text(std::string_view bytes) {
-  constexpr std::string_view blanks = " \t\r\n";
-  for (;;) {
-    const std::size_t begin = bytes.find_first_not_of(blanks);
-    if (begin == std::string_view::npos) return false;
-    bytes.remove_prefix(begin);
-    if (bytes[0] != '#') return bytes.starts_with("quoin-solid");
-    bytes.remove_prefix(std::min(bytes.find('\n'), bytes.size()));
-  }
+  return io::first_word(bytes, '#').starts_with("quoin-solid");
 }
 
 // The first bytes of a file; none of a pipe, which could not be read again.

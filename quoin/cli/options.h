@@ -57,6 +57,7 @@ struct Options {
   bool onto_plane = false;            ///< of the same: x and y count
   bool weighted = false;              ///< of `delaunay` and `alpha`: the last column is a weight
   bool check = false;                 ///< of `delaunay`: prove the result
+  bool delone = false;                ///< of `delaunay`: outputs hold Delone cells
   bool cells = false;                 ///< of `voronoi`: each cell in the report
   bool exact = false;                 ///< of `voronoi`: exact volumes at any length; of `alpha`: exact values
   std::optional<double> memory;       ///< of the same: megabytes

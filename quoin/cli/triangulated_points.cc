@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "quoin/base/error.h"
+#include "quoin/cli/delone_faces.h"
 #include "quoin/cli/point_input.h"
 #include "quoin/triangulation/check2.h"
 #include "quoin/triangulation/check3.h"
@@ -125,6 +126,7 @@ TriangulatedPoints triangulate_plane(const PointFile& file, const TriangulateOpt
     require_proof(defect(t, points, context));
   }
   TriangulatedPoints result = take_plane(t, &delone, options.is_written, context);
+  if (options.delone) result.delone_faces = delone_faces(t, delone, context);
   result.distinct = result.vertices;
   for (std::uint32_t v = 0; v < t.vertex_count(); ++v) {
     const std::span<const std::uint32_t> inputs = t.inputs(Vertex2(v));
@@ -155,6 +157,7 @@ TriangulatedPoints triangulate_space(const PointFile& file, const TriangulateOpt
     require_proof(defect(t, file.points, context));
   }
   TriangulatedPoints result = take_space(t, {}, &labels, options.is_written, context);
+  if (options.delone) result.delone_faces = delone_faces(t, context);
   Vertices vertices(result, options.is_written);
   for (std::uint32_t v = 0; v < t.vertex_count(); ++v) {
     if (v % poll_step == 0) context.poll();
@@ -217,7 +220,12 @@ VtkGrid grid_of(const TriangulatedPoints& triangulated, const PointFile& file) {
     if (!file.normals.empty()) grid.normals.push_back(file.normals[i]);
     if (!file.colors.empty()) grid.colors.push_back(file.colors[i]);
   }
-  for (const auto& simplex : triangulated.simplices) grid.add_cell(types[dimension], {simplex.data(), dimension + 1});
+  const bool has_simplices = triangulated.delone_faces.cell_count() == 0;
+  if (has_simplices) {
+    for (const auto& simplex : triangulated.simplices) grid.add_cell(types[dimension], {simplex.data(), dimension + 1});
+  } else {
+    add_to_grid(triangulated.delone_faces, grid);
+  }
   grid.point_integers.emplace_back("input", triangulated.first_input);
   grid.point_integers.emplace_back("multiplicity", triangulated.multiplicity);
   const auto add_doubles = [&](const char* name, const std::vector<double>& values) {
@@ -227,7 +235,8 @@ VtkGrid grid_of(const TriangulatedPoints& triangulated, const PointFile& file) {
   };
   add_doubles("intensity", file.intensities);
   add_doubles("weight", file.weights);
-  if (!triangulated.delone_of.empty()) grid.cell_integers.emplace_back("delone_cell", triangulated.delone_of);
+  if (has_simplices && !triangulated.delone_of.empty())
+    grid.cell_integers.emplace_back("delone_cell", triangulated.delone_of);
   return grid;
 }
 
@@ -239,19 +248,23 @@ CellMesh mesh_of(const TriangulatedPoints& triangulated, const PointFile& file) 
     number[vertex] = static_cast<std::uint32_t>(mesh.vertices.size());
     made.add_vertex(file, triangulated.first_input[vertex]);
   };
-  const auto add_face = [&](const std::uint32_t* vertices) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (number[vertices[k]] == none) add(vertices[k]);
-      mesh.corners.push_back(number[vertices[k]]);
+  const auto add_face = [&](std::span<const std::uint32_t> vertices) {
+    for (const std::uint32_t v : vertices) {
+      if (number[v] == none) add(v);
+      mesh.corners.push_back(number[v]);
     }
     mesh.face_begin.push_back(mesh.corners.size());
   };
   if (triangulated.dimension < 3) {
     for (std::uint32_t v = 0; v < number.size(); ++v) add(v);
   }
-  for (const auto& triangle : triangulated.hull) add_face(triangle.data());
+  if (triangulated.delone_faces.cell_count() > 0) {
+    for_each_outer_polygon(triangulated.delone_faces, add_face);
+    return made;
+  }
+  for (const auto& triangle : triangulated.hull) add_face(triangle);
   if (triangulated.dimension == 2) {
-    for (const auto& simplex : triangulated.simplices) add_face(simplex.data());
+    for (const auto& simplex : triangulated.simplices) add_face(std::span(simplex).first(3));
   }
   return made;
 }

@@ -33,6 +33,7 @@ struct TriangulatedPoints {
   std::vector<std::uint32_t> multiplicity;              ///< by vertex
   std::vector<std::array<std::uint32_t, 4>> simplices;  ///< dimension + 1 vertices
   std::vector<std::uint32_t> delone_of;                 ///< by simplex; empty with weights
+  ExactCells delone_faces;                              ///< see delone_faces.h; if asked for
   std::vector<std::array<std::uint32_t, 3>> hull;       ///< of dimension 3, counterclockwise from outside
 };
 
@@ -40,6 +41,7 @@ struct TriangulateOptions {
   bool of_plane = false;
   bool check = false;       ///< prove it, if there are no weights
   bool is_written = false;  ///< with what outputs hold
+  bool delone = false;      ///< which are Delone cells, not simplices; without weights
 };
 
 /// By Delaunay2, Delaunay3, Regular2 or Regular3.
@@ -49,11 +51,12 @@ TriangulatedPoints triangulate(const PointFile& file, const TriangulateOptions& 
 /// About the most memory that it takes at a time, with what outputs take, in bytes.
 std::uint64_t memory_to_triangulate(std::size_t points, const TriangulateOptions& options, bool weighted);
 
-/// All cells, with numbers of inputs, multiplicities and Delone cells, and normals and colours of the points.
+/// All cells, simplices or Delone cells, with numbers of inputs, multiplicities and Delone cells, and normals and
+/// colours of the points.
 VtkGrid grid_of(const TriangulatedPoints& triangulated, const PointFile& file);
 
-/// The triangles of the hull with its vertices, or all triangles of dimension 2 with all vertices. Nothing of lower
-/// dimension.
+/// The triangles of the hull, or its Delone facets, with its vertices, or all cells of dimension 2 with all vertices.
+/// Nothing of lower dimension.
 CellMesh mesh_of(const TriangulatedPoints& triangulated, const PointFile& file);
 
 }  // namespace quoin::cli

@@ -20,7 +20,7 @@ void write_cells_text(std::ostream& out, const ExactCells& cells, const Context&
 /// @throws InputError with file and line; Cancelled
 ExactCells read_cells_text(std::string_view text, const std::string& name, const Context& context);
 
-/// Whether a text begins like one of these.
+/// Whether a text begins like one of these, behind comments.
 bool is_cells_text(std::string_view text);
 
 }  // namespace quoin

@@ -144,6 +144,7 @@ class CellsReader {
       used_[numbers_.back()] = true;
       add_sides(cells_.cell(face), is_turned, static_cast<std::uint32_t>(w - first));
     }
+    if (numbers_.size() < 4) lines_.fail("a polyhedron has at least four faces");
     const std::string defect = io::why_no_sphere(sides_, static_cast<std::uint32_t>(numbers_.size()));
     if (!defect.empty()) lines_.fail("the faces do not bound a polyhedron: " + defect);
   }
@@ -172,7 +173,7 @@ ExactCells read_cells_text(std::string_view text, const std::string& name, const
 }
 
 bool is_cells_text(std::string_view text) {
-  return io::first_word(text) == "quoin-cells";
+  return io::first_word(text, '#') == "quoin-cells";
 }
 
 }  // namespace quoin

@@ -84,17 +84,8 @@ FiltrationText read_filtration(std::string_view text, const std::string& name, c
 }
 
 bool begins_like_simplices(std::string_view text) {
-  constexpr std::string_view blanks = " \t\r\n";
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-  for (;;) {
-    const std::size_t begin = text.find_first_not_of(blanks);
-    if (begin == std::string_view::npos) return false;
-    text.remove_prefix(begin);
-    if (text[0] != '#') break;
-    text.remove_prefix(std::min(text.find('\n'), text.size()));
-  }
-  const std::string_view word = text.substr(0, text.find_first_of(blanks));
-  return std::all_of(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; });
+  const std::string_view word = io::first_word(text, '#');
+  return !word.empty() && std::all_of(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
 }  // namespace quoin

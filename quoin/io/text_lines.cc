@@ -13,6 +13,16 @@ std::string_view first_word(std::string_view text) {
   return text.substr(begin, text.find_first_of(" \t\r\n", begin) - begin);
 }
 
+std::string_view first_word(std::string_view text, char comment) {
+  std::string_view word = first_word(text);
+  while (word.starts_with(comment)) {
+    text.remove_prefix(static_cast<std::size_t>(word.data() - text.data()));
+    text.remove_prefix(std::min(text.find_first_of("\r\n"), text.size()));
+    word = first_word(text);
+  }
+  return word;
+}
+
 std::string quoted(std::string_view word) {
   std::string text = "'";
   for (const char c : word.substr(0, 40)) {

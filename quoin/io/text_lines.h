@@ -59,6 +59,8 @@ bool parse_number(std::string_view word, double& value);
 
 /// The first word of a text, behind a byte order mark.
 std::string_view first_word(std::string_view text);
+/// The first one that is not in a comment; empty if there is none.
+std::string_view first_word(std::string_view text, char comment);
 
 /// The word in quotes for a message, cut short, control characters as question marks.
 std::string quoted(std::string_view word);

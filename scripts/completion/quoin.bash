@@ -23,9 +23,9 @@ hull minkowski erode decompose gaussian-map distance width homology persistence 
       case "${COMP_WORDS[1]}" in
         arrange | overlay | locate | gaussian-map) formats="svg html" ;;
         assembly) formats="json html" ;;
-        delaunay) formats="vtk ply obj off html" ;;
-        voronoi | flow) formats="vtk ply obj off" ;;
-        alpha) formats="vtk ply obj off html txt" ;;
+        delaunay) formats="vtk ply obj off qcells html" ;;
+        voronoi | flow) formats="vtk ply obj off qcells" ;;
+        alpha) formats="vtk ply obj off qcells html txt" ;;
         polygon) formats="wkt geojson dxf svg html" ;;
       esac
       mapfile -t COMPREPLY < <(compgen -W "$formats" -- "$word")
@@ -62,7 +62,7 @@ hull minkowski erode decompose gaussian-map distance width homology persistence 
       gaussian-map) options+=" $draws --cube" ;;
       homology) options+=" --prime" ;;
       persistence) options+=" --prime --barcode -o --output" ;;
-      delaunay) options+=" -o --output --format --input-format --plane --memory --weighted --check" ;;
+      delaunay) options+=" -o --output --format --input-format --plane --memory --weighted --check --delone" ;;
       voronoi) options+=" -o --output --format --input-format --plane --memory --cells --exact" ;;
       alpha)
         options+=" -o --output --format --input-format --plane --memory --weighted --value --radius --pieces --values --exact --graph --persistence --prime --barcode"

@@ -1,0 +1,281 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Cells of points as exact text (.qcells), and what meshes keep of points.
+
+    check_cells.py QUOIN
+"""
+import itertools
+import json
+import struct
+from fractions import Fraction
+
+from check_alpha import alpha_values
+from check_flow import components, critical_points, dot, minus
+from clouds import CUBE, cloud, determinant, read_vtk, text_of
+from command import REFUSED, USAGE, CommandTest, main
+
+
+def number(word):
+    """Digits alone and p/q are exact, all else is the nearest double."""
+    if word == "-":
+        return None
+    return Fraction(float(word)) if set(word) & set(".eE") else Fraction(word)
+
+
+class Cells:
+    """A file read back, by its description alone: points, cells as (kind, parts), and columns by their names."""
+
+    def __init__(self, text):
+        self.lines = iter([line.split() for line in text.splitlines()])
+        assert next(self.lines) == ["quoin-cells", "1"]
+        keyword, dimension = next(self.lines)
+        assert keyword == "coordinates"
+        rows, self.of_point = self.table("point", "points", int(dimension))
+        self.points = [tuple(map(number, row)) for row in rows]
+        rows, self.of_cell = self.table("cell", "cells", 1)
+        self.cells = [(row[0], row[1:]) for row in rows]
+        self.cells = [(kind, list(map(int, parts)) if kind != "polyhedron" else
+                       [(word[0] == "-", int(word[1:])) for word in parts]) for kind, parts in self.cells]
+        assert next(self.lines) == ["end"] and next(self.lines, None) is None
+
+    def table(self, of, keyword, first):
+        columns = {}
+        integers, numbers = next(self.lines), next(self.lines)
+        assert integers[0] == of + "-integers" and numbers[0] == of + "-numbers"
+        names = integers[1:] + numbers[1:]
+        found, count = next(self.lines)
+        assert found == keyword
+        rows = []
+        for _ in range(int(count)):
+            row = next(self.lines)
+            for name, word in zip(names, row[first:]):
+                columns.setdefault(name, []).append(number(word))
+            rows.append(row[:first] + row[first + len(names):])
+        return rows, columns
+
+    def of_kind(self, kind):
+        return [i for i, (k, _) in enumerate(self.cells) if k == kind]
+
+    def faces(self, cell):
+        """The corners of the faces of a polyhedron, counterclockwise seen from outside."""
+        return [self.cells[f][1][::-1] if is_turned else self.cells[f][1] for is_turned, f in self.cells[cell][1]]
+
+    def volume(self, cell):
+        """Of a polyhedron as a sum of cones, of a polygon as one of triangles."""
+        kind, parts = self.cells[cell]
+        if kind == "polygon":
+            p = [self.points[v] for v in parts]
+            return sum(p[k - 1][0] * p[k][1] - p[k - 1][1] * p[k][0] for k in range(len(p))) / 2
+        return sum(determinant([self.points[v] for v in (f[0], f[k], f[k + 1])])
+                   for f in self.faces(cell) for k in range(1, len(f) - 1)) / 6
+
+
+class CellsTest(CommandTest):
+    def cells_of(self, command, points, *words):
+        text = points if isinstance(points, str) else text_of(points)
+        self.write("p.xyz", text)
+        report = self.json_of(command, "p.xyz", *words, "-o", "p.qcells")
+        return report, Cells(self.read("p.qcells").decode())
+
+    def betti(self):
+        return self.json_of("homology", "p.qcells")["betti"]["Q"]
+
+
+class Delaunay(CellsTest):
+    def test_what_vtk_holds(self):
+        for points in (cloud(25, 3), cloud(30, 2), cloud(60, 3, grid=3), [(i, i, i) for i in range(4)], [(1, 2)]):
+            report, exact = self.cells_of("delaunay", points)
+            self.run_quoin("delaunay", "p.xyz", "-o", "p.vtk")
+            vertices, cells, arrays = read_vtk(self.read("p.vtk").decode())
+            d = len(points[0])
+            self.assertEqual(exact.points, [tuple(map(Fraction, v[:d])) for v in vertices])
+            self.assertEqual([parts for _, parts in exact.cells], [parts for _, parts in cells])
+            self.assertEqual(exact.of_point, {k: arrays[k] for k in ("input", "multiplicity")})
+            self.assertEqual(exact.of_cell["delone_cell"], arrays["delone_cell"])
+            self.assertEqual(self.betti(), [1] + [0] * report["dimension"])
+
+    def test_delone_cells(self):
+        for points in (cloud(25, 3), CUBE, cloud(70, 3, grid=4), cloud(40, 2, grid=4), [(*p, 3) for p in cloud(40, 2, grid=4)]):
+            _, simplices = self.cells_of("delaunay", points)
+            report, exact = self.cells_of("delaunay", points, "--delone")
+            flat = report["dimension"] == 2
+            cells = exact.of_kind("polygon" if flat else "polyhedron")
+            self.assertEqual(len(cells), report["delone_cells"])
+            self.assertEqual(self.betti(), [1] + [0] * report["dimension"])
+            on_cells = []
+            for c in cells:
+                corners = set(exact.cells[c][1]) if flat else {v for f in exact.faces(c) for v in f}
+                on_cells.append(frozenset(corners))
+                for face in [] if flat else exact.faces(c):
+                    a, b, c3 = (exact.points[v] for v in face[:3])
+                    for v in corners:
+                        turn = determinant([minus(q, exact.points[v]) for q in (a, b, c3)])
+                        self.assertEqual(turn == 0, v in face)
+                        self.assertGreaterEqual(turn, 0)
+            merged = {}
+            for (_, corners), label in zip(simplices.cells, simplices.of_cell["delone_cell"]):
+                merged.setdefault(label, set()).update(corners)
+            self.assertEqual(set(on_cells), {frozenset(c) for c in merged.values()})
+            self.run_quoin("delaunay", "p.xyz", "--delone", "-o", "p.vtk", "-o", "p.off")
+            kinds = {t for t, _ in read_vtk(self.read("p.vtk").decode())[1]}
+            self.assertEqual(kinds, {7 if flat else 42})
+            if not flat:
+                self.assertEqual(self.json_of("homology", "p.off")["betti"]["Q"], [1, 0, 1])
+                inside = sum(abs(exact.volume(c)) for c in cells)
+                self.assertEqual(inside, sum(exact.volume(c) for c in cells))
+                self.assertAlmostEqual(self.info("p.off")["volume"], float(inside))
+        self.run_quoin("delaunay", "p.xyz", "--delone", "--weighted", code=USAGE)
+        self.run_quoin("delaunay", "p.xyz", "--delone", "-o", "p.html", code=None)
+        self.assertFalse((self.folder / "p.html").exists())
+
+    def test_weights_and_doubles_of_all_sizes(self):
+        points = [(0.1, 1e-300, 1e300, -0.0), (5e-324, 0.2, 3, 1), (9007199254740993, 7, 0.3, 0.5), (1, 2, 3, 4)]
+        _, exact = self.cells_of("delaunay", points, "--weighted")
+        inputs = [int(i) for i in exact.of_point["input"]]
+        self.assertEqual(exact.points, [tuple(map(Fraction, map(float, points[i][:3]))) for i in inputs])
+        self.assertEqual(exact.of_point["weight"], [Fraction(points[i][3]) for i in inputs])
+
+
+class Voronoi(CellsTest):
+    def test_corners_are_nearest_to_their_sites(self):
+        for points in (cloud(20, 3), cloud(30, 2), cloud(60, 3, grid=4), [p for p in itertools.product(range(3), repeat=2)],
+                       [(x, y, z) for x, y, z in itertools.product(range(3), repeat=3) if x + y + z < 6]):
+            report, exact = self.cells_of("voronoi", points)
+            d = len(points[0])
+            sites = [tuple(map(Fraction, p)) for p in points]
+            size = exact.of_cell["volume" if d == 3 else "area"]
+            dimensions = [0, 0, 0, 0]
+            for c, (kind, parts) in enumerate(exact.cells):
+                corners = {v for f in exact.faces(c) for v in f} if kind == "polyhedron" else set(parts)
+                dimensions[{"simplex": len(corners) - 1, "polygon": 2, "polyhedron": 3}[kind]] += 1
+                for name in ("input", "neighbour"):
+                    site = exact.of_cell[name][c]
+                    for v in corners if site is not None else ():
+                        at = exact.points[v]
+                        squares = [dot(minus(at, q), minus(at, q)) for q in sites]
+                        self.assertEqual(squares[int(site)], min(squares))
+                if kind == ("polyhedron" if d == 3 else "polygon"):
+                    self.assertGreater(size[c], 0)
+                    self.assertEqual(size[c], exact.volume(c))
+                else:
+                    self.assertIsNone(size[c])
+            self.assertEqual(dimensions[0], report["vertices"])
+            self.assertEqual(dimensions[d], report["bounded_cells"])
+            # All bounded faces of a diagram can be drawn together to a point.
+            self.assertEqual(self.betti(), [1] + [0] * max(k for k in range(4) if dimensions[k] > 0))
+
+    def test_without_vertices(self):
+        for points in ([(0, 0, 0), (1, 0, 0)], [(0, 0), (1, 1), (2, 2)], [(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0)]):
+            _, exact = self.cells_of("voronoi", points)
+            self.assertEqual((exact.points, exact.cells), ([], []))
+            self.run_quoin("homology", "p.qcells", code=REFUSED)
+
+
+class Alpha(CellsTest):
+    def test_values_are_exact(self):
+        points = cloud(12, 2)
+        _, exact = self.cells_of("alpha", points)
+        expected = alpha_values([tuple(map(Fraction, p)) for p in points])
+        inputs = [int(i) for i in exact.of_point["input"]]
+        found = {tuple(sorted(inputs[v] for v in parts)): value
+                 for (_, parts), value in zip(exact.cells, exact.of_cell["value"])}
+        self.assertEqual(found, expected)
+        self.assertEqual(exact.of_cell["value"], sorted(exact.of_cell["value"]))
+
+    def test_persistence_is_that_of_the_text(self):
+        for points, words in ((cloud(30, 3), []), (cloud(80, 3, grid=4), []), (cloud(40, 3), ["--plane"]),
+                              (cloud(25, 4), ["--weighted"])):
+            self.cells_of("alpha", points, *words)
+            self.run_quoin("alpha", "p.xyz", "--exact", *words, "-o", "p.txt")
+            report = self.json_of("persistence", "p.qcells")
+            self.assertEqual(report, self.json_of("persistence", "p.txt"))
+            self.assertEqual(report, self.json_of("persistence", "-", stdin=self.read("p.qcells").decode()))
+
+    def test_complexes_and_graphs(self):
+        points = cloud(40, 3)
+        report, _ = self.cells_of("alpha", points, "--value", "1/50")
+        self.assertEqual(self.betti(), (report["shape"]["betti"] + [0])[:len(self.betti())])
+        report, exact = self.cells_of("alpha", points, "--graph", "spanning-tree")
+        self.assertEqual(len(exact.cells), 39)
+        for (_, (a, b)), square in zip(exact.cells, exact.of_cell["square_length"]):
+            between = minus(exact.points[a], exact.points[b])
+            self.assertEqual(square, dot(between, between))
+        self.assertEqual(self.betti(), [1, 0])
+
+
+class Flow(CellsTest):
+    def test_critical_points_are_exact(self):
+        points = cloud(11, 3, seed=4)
+        _, exact = self.cells_of("flow", points)
+        found = sorted(zip(exact.of_cell["index"], exact.of_cell["square_distance"]))
+        self.assertEqual(found, sorted(critical_points(points)))
+        for (_, (v,)), index, square in zip(exact.cells, exact.of_cell["index"], exact.of_cell["square_distance"]):
+            squares = sorted(dot(minus(exact.points[v], p), minus(exact.points[v], p)) for p in points)
+            self.assertEqual(squares[:int(index) + 1], [square] * (int(index) + 1))
+
+    def test_shapes_have_the_components_and_tunnels_that_are_reported(self):
+        points = cloud(40, 3)
+        for distance in (0.05, 0.12, 0.18, 0.3):
+            report, exact = self.cells_of("flow", points, "--shape", str(distance))
+            betti = report["shape"]["betti_numbers"]
+            self.assertEqual(betti[0], components(points, distance))
+            self.assertEqual((self.betti() + [0])[:2], betti[:2])
+            self.assertLessEqual(max(exact.of_cell["square_distance"]), Fraction(distance) ** 2)
+        _, exact = self.cells_of("flow", CUBE, "--stable", "2")
+        self.assertEqual((len(exact.cells), len(exact.points)), (48, 8 + 12 + 6))
+        self.assertIn((Fraction(1, 2), Fraction(1, 2), Fraction(0)), exact.points)
+        _, exact = self.cells_of("flow", points, "--stable", "1")
+        self.assertEqual({len(parts) for _, parts in exact.cells}, {2})
+        self.assertEqual(self.betti()[0], 1)
+        self.run_quoin("flow", "missing.xyz", "--unstable", "2", "-o", "p.qcells", code=USAGE)
+
+
+class Reading(CellsTest):
+    def test_streams_and_comments(self):
+        self.cells_of("delaunay", CUBE, "--delone")
+        text = self.read("p.qcells").decode()
+        self.write("c.txt", text.replace("\n", "  # more\r\n"))
+        self.assertEqual(self.json_of("homology", "c.txt")["betti"]["Q"], [1, 0, 0, 0])
+        self.assertEqual(self.json_of("homology", "-", stdin="# cells\n\n" + text)["betti"]["Q"], [1, 0, 0, 0])
+        done = self.run_quoin("delaunay", "p.xyz", "--delone", "-q", "-o", "-", "--format", "qcells")
+        self.assertEqual(done.stdout, text)
+
+    def test_mistakes_are_refused_with_their_line(self):
+        self.cells_of("delaunay", CUBE)
+        self.assertIn("'value'", self.run_quoin("persistence", "p.qcells", code=REFUSED).stderr)
+        text = self.read("p.qcells").decode()
+        for old, new, where in (("quoin-cells 1", "quoin-cells 2", ":1:"), ("\nend\n", "\n", "'end'"),
+                                ("points 8", "points 88888888", ":5:"), ("simplex", "cube", "'cube'")):
+            self.write("bad.qcells", text.replace(old, new, 1))
+            self.assertIn(where, self.run_quoin("homology", "bad.qcells", code=REFUSED).stderr)
+        self.write("bad.qcells", "OFF\n")
+        self.assertIn("quoin-cells", self.run_quoin("homology", "bad.qcells", code=REFUSED).stderr)
+        self.run_quoin("homology", "missing.qcells", code=None)
+        self.run_quoin("union", "a.off", "b.off", "-o", "u.qcells", code=USAGE)
+
+
+class Meshes(CellsTest):
+    def test_what_is_known_of_points_stays(self):
+        rows = [(*p, *n, i % 256, 3 * i % 256, 7, i / 4) for i, (p, n) in enumerate(zip(cloud(60, 3), cloud(60, 3, seed=2)))]
+        self.write("p.csv", "x,y,z,nx,ny,nz,r,g,b,intensity\n" + text_of(rows, ","))
+        for words in (["delaunay"], ["delaunay", "--plane"], ["delaunay", "--delone"], ["alpha", "--radius", "0.2"]):
+            self.run_quoin(words[0], "p.csv", *words[1:], "-o", "p.ply")
+            header, body = self.read("p.ply").split(b"end_header\n", 1)
+            names = [line.split()[2] for line in header.decode().splitlines() if line.startswith("property")]
+            self.assertEqual(names[:11], "x y z nx ny nz red green blue alpha intensity".split())
+            count = int(header.decode().split("element vertex ")[1].split()[0])
+            self.assertGreater(count, 3)
+            for k in range(count):
+                x = struct.unpack_from("<6d4Bd", body, 60 * k)
+                self.assertIn((*x[:9], x[10]), rows)
+                self.assertEqual(x[9], 255)
+            report = json.loads(self.run_quoin(words[0], "p.csv", *words[1:], "-o", "p.obj", "-o", "p.off", "--json").stdout)
+            self.assertEqual(len([w for w in report["warnings"] if "holds no" in w]), 4)
+            self.assertEqual(self.read("p.obj").decode().count("\nvn "), count)
+            # Out and in again nothing is lost.
+            if words == ["delaunay", "--plane"]:
+                self.run_quoin("delaunay", "p.ply", "--plane", "-o", "again.ply")
+                self.assertEqual(sorted(self.read("again.ply")), sorted(self.read("p.ply")))
+
+
+if __name__ == "__main__":
+    main()
