@@ -11,18 +11,16 @@
 #include <vector>
 
 #include "arrangement_tasks.h"
+#include "command_words.h"
 
 namespace {
 
-bench::Task read_task(int argc, char** argv) {
+bench::Task read_task(bench::CommandWords given) {
   bench::Task task;
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    if (word == "--rounds" && i + 1 < argc) {
-      task.rounds = std::atoi(argv[++i]);
-    } else if (word == "--threads" && i + 1 < argc) {
-      task.threads = static_cast<unsigned>(std::atoi(argv[++i]));
-    } else if (task.mode.empty()) {
+  task.rounds = given.take_number("--rounds", task.rounds);
+  task.threads = given.take_number("--threads", task.threads);
+  for (const std::string& word : given.rest()) {
+    if (task.mode.empty()) {
       task.mode = word;
     } else if (task.mode == "locate" && task.strategy.empty()) {
       task.strategy = word;
@@ -37,7 +35,7 @@ bench::Task read_task(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
-    const bench::Task task = read_task(argc, argv);
+    const bench::Task task = read_task({argc, argv});
     if (task.mode == "arrange") {
       bench::arrange(task);
     } else if (task.mode == "overlay") {

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "command_words.h"
 #include "peak_memory.h"
 #include "plane_points.h"
 #include "quoin/triangulation/delaunay2.h"
@@ -40,25 +41,11 @@ void run(const std::string& kind, std::size_t count, int rounds, bool canonical)
 }  // namespace
 
 int main(int argc, char** argv) {
-  int rounds = 1;
-  bool canonical = false;
-  std::vector<std::string> words;
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    if (word == "--rounds" && i + 1 < argc) {
-      rounds = std::atoi(argv[++i]);
-    } else if (word == "--canonical") {
-      canonical = true;
-    } else {
-      words.push_back(word);
-    }
-  }
-  try {
-    if (words.size() != 2) throw std::invalid_argument("delaunay2_bench KIND COUNT");
-    run(words[0], std::strtoull(words[1].c_str(), nullptr, 10), rounds, canonical);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
-  return 0;
+  return bench::exit_code_of([&] {
+    bench::CommandWords given(argc, argv);
+    const int rounds = given.take_number("--rounds", 1);
+    const bool is_canonical = given.take_flag("--canonical");
+    const auto& words = given.rest(2, "delaunay2_bench KIND COUNT");
+    run(words[0], std::strtoull(words[1].c_str(), nullptr, 10), rounds, is_canonical);
+  });
 }

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "command_words.h"
 #include "delaunay_points.h"
 #include "peak_memory.h"
 #include "quoin/triangulation/delaunay3.h"
@@ -53,28 +54,12 @@ void run(const std::string& kind, std::size_t count, int rounds, unsigned thread
 }  // namespace
 
 int main(int argc, char** argv) {
-  int rounds = 1;
-  unsigned threads = 1;
-  bool is_canonical = false;
-  std::vector<std::string> words;
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    if (word == "--rounds" && i + 1 < argc) {
-      rounds = std::atoi(argv[++i]);
-    } else if (word == "--threads" && i + 1 < argc) {
-      threads = static_cast<unsigned>(std::atoi(argv[++i]));
-    } else if (word == "--canonical") {
-      is_canonical = true;
-    } else {
-      words.push_back(word);
-    }
-  }
-  try {
-    if (words.size() != 2) throw std::invalid_argument("delaunay_bench KIND COUNT");
+  return bench::exit_code_of([&] {
+    bench::CommandWords given(argc, argv);
+    const int rounds = given.take_number("--rounds", 1);
+    const unsigned threads = given.take_number("--threads", 1U);
+    const bool is_canonical = given.take_flag("--canonical");
+    const auto& words = given.rest(2, "delaunay_bench KIND COUNT");
     run(words[0], std::strtoull(words[1].c_str(), nullptr, 10), rounds, threads, is_canonical);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
-  return 0;
+  });
 }

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "command_words.h"
 #include "filtered_simplices.h"
 #include "peak_memory.h"
 #include "quoin/topology/homology.h"
@@ -61,27 +62,13 @@ void run(const std::vector<std::string>& words, const Settings& settings) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Settings settings;
-  std::vector<std::string> words;
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    if (word == "--rounds" && i + 1 < argc) {
-      settings.rounds = std::atoi(argv[++i]);
-    } else if (word == "--threads" && i + 1 < argc) {
-      settings.threads = static_cast<unsigned>(std::atoi(argv[++i]));
-    } else if (word == "--prime" && i + 1 < argc) {
-      settings.how.prime = static_cast<std::uint32_t>(std::atoi(argv[++i]));
-    } else if (word == "--method" && i + 1 < argc) {
-      settings.how.method = static_cast<quoin::PersistenceMethod>(std::atoi(argv[++i]));
-    } else {
-      words.push_back(word);
-    }
-  }
-  try {
-    run(words, settings);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
-  return 0;
+  return bench::exit_code_of([&] {
+    bench::CommandWords given(argc, argv);
+    Settings settings;
+    settings.rounds = given.take_number("--rounds", settings.rounds);
+    settings.threads = given.take_number("--threads", settings.threads);
+    settings.how.prime = given.take_number("--prime", settings.how.prime);
+    settings.how.method = given.take_number("--method", settings.how.method);
+    run(given.rest(), settings);
+  });
 }

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "command_words.h"
 #include "peak_memory.h"
 #include "quoin/io/mesh_file.h"
 #include "quoin/polytope/convolution.h"
@@ -50,20 +51,11 @@ void run(const std::string& first, const std::string& second, int rounds, unsign
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::vector<std::string> words(argv + 1, argv + argc);
-  int rounds = 1;
-  int threads = 1;
-  try {
-    while (words.size() > 2) {
-      if (words[0] != "--rounds" && words[0] != "--threads") break;
-      (words[0] == "--rounds" ? rounds : threads) = std::stoi(words[1]);
-      words.erase(words.begin(), words.begin() + 2);
-    }
-    if (words.size() != 2) throw std::invalid_argument("solid_sum_bench [--rounds N] [--threads N] A.off B.off");
-    run(words[0], words[1], rounds, static_cast<unsigned>(threads));
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
-  return 0;
+  return bench::exit_code_of([&] {
+    bench::CommandWords given(argc, argv);
+    const int rounds = given.take_number("--rounds", 1);
+    const unsigned threads = given.take_number("--threads", 1U);
+    const auto& words = given.rest(2, "solid_sum_bench [--rounds N] [--threads N] A.off B.off");
+    run(words[0], words[1], rounds, threads);
+  });
 }

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "command_words.h"
 #include "peak_memory.h"
 #include "point_file.h"
 #include "polytope_points.h"
@@ -53,24 +54,17 @@ void run(const std::string& first, const std::string& second, int rounds) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::vector<std::string> words(argv + 1, argv + argc);
-  try {
-    if (words.size() == 4 && words[0] == "--write") {
-      const double degrees = std::stod(words[2]);
-      const polytope_points::Points points = polytope_points::named(words[1]);
-      point_file::write(words[3], degrees == 0 ? points : polytope_points::turned(points, degrees));
-      return 0;
+  return bench::exit_code_of([&] {
+    bench::CommandWords given(argc, argv);
+    if (given.take_flag("--write")) {
+      const auto& words = given.rest(3, "sum_bench --write NAME DEGREES FILE");
+      const double degrees = std::stod(words[1]);
+      const polytope_points::Points points = polytope_points::named(words[0]);
+      point_file::write(words[2], degrees == 0 ? points : polytope_points::turned(points, degrees));
+      return;
     }
-    int rounds = 1;
-    if (words.size() == 4 && words[0] == "--rounds") {
-      rounds = std::stoi(words[1]);
-      words.erase(words.begin(), words.begin() + 2);
-    }
-    if (words.size() != 2) throw std::invalid_argument("sum_bench [--rounds N] A B");
+    const int rounds = given.take_number("--rounds", 1);
+    const auto& words = given.rest(2, "sum_bench [--rounds N] A B");
     run(words[0], words[1], rounds);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
-  return 0;
+  });
 }
