@@ -14,6 +14,7 @@
 #include "quoin/kernel/constructions_exact.h"
 #include "quoin/kernel/constructions_rounding.h"
 #include "quoin/kernel/exact_arithmetic.h"
+#include "quoin/number/whole_double.h"
 
 /// Bodies of ExactTable; each instantiation is compiled in a source of its own.
 namespace quoin::detail {
@@ -49,25 +50,6 @@ inline Integer shifted(const Decoded& d, int lo) {
   return shift >= 0 ? mantissa << static_cast<std::size_t>(shift) : mantissa >> static_cast<std::size_t>(-shift);
 }
 
-/// Of two limbs, from an integer below 2^127 in magnitude. The compiler's conversion is a call that takes several times
-/// as long.
-template <class Coordinate>
-Coordinate from_whole_double(double x) {
-  static_assert(Coordinate::limb_count == 2);
-  constexpr unsigned mantissa_bits = 52;
-  constexpr std::uint64_t one = std::uint64_t{1} << mantissa_bits;
-  const auto bits = std::bit_cast<std::uint64_t>(x);
-  const int shift = static_cast<int>(bits >> mantissa_bits & 0x7FFU) - (1023 + 52);
-  const fixed_int_detail::UInt128 mantissa = (bits & (one - 1)) | one;
-  // Zero has the least exponent, so that its mantissa is shifted out.
-  const auto magnitude = shift >= 0 ? mantissa << shift : mantissa >> std::min(-shift, 64);
-  const auto value = (bits >> 63U) != 0 ? -magnitude : magnitude;
-  Coordinate result;
-  result.set_limb(0, static_cast<std::uint64_t>(value));
-  result.set_limb(1, static_cast<std::uint64_t>(value >> 64U));
-  return result;
-}
-
 template <class N>
 typename N::Coordinate ExplicitPoints<N>::in_units(double x) const {
   if constexpr (std::is_same_v<Coordinate, Integer>) {
@@ -77,7 +59,7 @@ typename N::Coordinate ExplicitPoints<N>::in_units(double x) const {
     if constexpr (Coordinate::limb_count == 1) {
       return Coordinate(static_cast<std::int64_t>(scaled));
     } else {
-      return from_whole_double<Coordinate>(scaled);
+      return from_whole_double(scaled);
     }
   }
 }

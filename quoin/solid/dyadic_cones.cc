@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "quoin/kernel/exact_arithmetic.h"
+#include "quoin/number/whole_double.h"
+#include "quoin/solid/face_loops.h"
 
 namespace quoin {
 
@@ -40,30 +42,38 @@ bool DyadicCones::holds(std::uint32_t face) const {
   return true;
 }
 
+void DyadicCones::measure_from(PointId apex) {
+  from_ = scaled<2>(boundary_->points.rounded(apex));
+}
+
 template <std::size_t Limbs>
-std::array<FixedInt<Limbs>, 3> DyadicCones::scaled(PointId p) const {
-  const Point3& point = boundary_->points.rounded(p);
+std::array<FixedInt<Limbs>, 3> DyadicCones::scaled(const Point3& point) const {
   std::array<FixedInt<Limbs>, 3> result;
   for (std::size_t k = 0; k < 3; ++k) {
     const double units = point[k] * scale_first_ * scale_second_;
     if constexpr (Limbs == 1) {
       result[k] = FixedInt<1>(static_cast<std::int64_t>(units));
     } else {
-      const auto wide = static_cast<fixed_int_detail::Int128>(units);
-      result[k].set_limb(0, static_cast<std::uint64_t>(wide));
-      result[k].set_limb(1, static_cast<std::uint64_t>(wide >> 64));
+      result[k] = from_whole_double(units);
     }
   }
+  return result;
+}
+
+template <std::size_t Limbs>
+std::array<FixedInt<Limbs>, 3> DyadicCones::corner(PointId p) const {
+  std::array<FixedInt<Limbs>, 3> result = scaled<Limbs>(boundary_->points.rounded(p));
+  for (std::size_t k = 0; k < 3; ++k) result[k] = result[k] - FixedInt<Limbs>(from_[k]);
   return result;
 }
 
 template <std::size_t Limbs, std::size_t SumLimbs>
 FixedInt<SumLimbs> DyadicCones::determinants(std::span<const PointId> loop) const {
   FixedInt<SumLimbs> sum;
-  const auto apex = scaled<Limbs>(loop[0]);
-  auto previous = scaled<Limbs>(loop[1]);
+  const auto apex = corner<Limbs>(loop[0]);
+  auto previous = corner<Limbs>(loop[1]);
   for (std::size_t i = 2; i < loop.size(); ++i) {
-    const auto here = scaled<Limbs>(loop[i]);
+    const auto here = corner<Limbs>(loop[i]);
     sum = sum + detail::dot<FixedInt<SumLimbs>>(apex, detail::cross<FixedInt<2 * Limbs>>(previous, here));
     previous = here;
   }
@@ -71,11 +81,9 @@ FixedInt<SumLimbs> DyadicCones::determinants(std::span<const PointId> loop) cons
 }
 
 void DyadicCones::add(std::uint32_t face, Sum& sum) const {
-  for (std::uint32_t l = boundary_->face_first_loop[face]; l < boundary_->face_first_loop[face + 1]; ++l) {
-    const auto loop = boundary_->loop(l);
-    if (loop.size() < 3) continue;
+  for_each_ring(*boundary_, face, [&](std::span<const PointId> loop) {
     sum = sum + (is_wide_ ? determinants<2, 7>(loop) : Sum(determinants<1, 4>(loop)));
-  }
+  });
 }
 
 Rational DyadicCones::value(const Sum& sum) const {

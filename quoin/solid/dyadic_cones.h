@@ -12,11 +12,12 @@
 
 namespace quoin {
 
-/// Cones between the origin and faces whose vertices are doubles on one grid of at most 124 bits, in fixed-width
-/// integers instead of rationals; nothing is kept per face.
+/// Cones between a point, the origin if no other is chosen, and faces whose vertices are doubles on one grid of at most
+/// 124 bits, in fixed-width integers instead of rationals; nothing is kept per face.
 ///
-/// With coordinates below 2^B in units of the grid, a minor is below 2^(2B+1) and a determinant below 2^(3B+3): 123 and
-/// 186 bits for B = 61, 249 and 375 for B = 124. Sums of up to 2^69 determinants stay below 2^255 and 2^444.
+/// Coordinates are below 2^B in units of the grid, B = 61 or 124, so those from a point among them below 2^(B+1), a
+/// minor below 2^(2B+3) and a determinant below 2^(3B+6): 125 and 189 bits, 251 and 378. Sums of up to 2^66
+/// determinants stay below 2^255 and 2^444.
 class DyadicCones {
  public:
   using Sum = FixedInt<7>;
@@ -26,7 +27,9 @@ class DyadicCones {
 
   /// All vertices of the face are explicit.
   bool holds(std::uint32_t face) const;
-  /// Six times the signed volume between the origin and a face that it holds, in units of the grid, is added.
+  /// All cones are to this explicit point from now on.
+  void measure_from(PointId apex);
+  /// Six times the signed volume between that point and a face that it holds, in units of the grid, is added.
   void add(std::uint32_t face, Sum& sum) const;
   /// The same in units of the coordinates.
   Rational value(const Sum& sum) const;
@@ -34,7 +37,9 @@ class DyadicCones {
  private:
   DyadicCones(const Brep& boundary, int lo, bool is_wide);
   template <std::size_t Limbs>
-  std::array<FixedInt<Limbs>, 3> scaled(PointId p) const;
+  std::array<FixedInt<Limbs>, 3> scaled(const Point3& point) const;
+  template <std::size_t Limbs>
+  std::array<FixedInt<Limbs>, 3> corner(PointId p) const;
   template <std::size_t Limbs, std::size_t SumLimbs>
   FixedInt<SumLimbs> determinants(std::span<const PointId> loop) const;
 
@@ -43,6 +48,7 @@ class DyadicCones {
   bool is_wide_;        // 124 bits, else 61
   double scale_first_;  // x 2^-lo = x * scale_first_ * scale_second_, neither product rounding
   double scale_second_;
+  std::array<FixedInt<2>, 3> from_;
 };
 
 }  // namespace quoin

@@ -6,6 +6,8 @@
 
 #include "quoin/base/parallel.h"
 #include "quoin/kernel/exact_arithmetic.h"
+#include "quoin/kernel/rational_point.h"
+#include "quoin/solid/face_loops.h"
 
 namespace quoin {
 
@@ -14,13 +16,6 @@ namespace {
 constexpr std::uint32_t none = 0xFFFFFFFFU;
 constexpr int grid_bits = 122;
 constexpr std::size_t error_bits = 249;
-
-template <class Visit>
-void for_each_loop(const Brep& b, std::uint32_t face, const Visit& visit) {
-  for (std::uint32_t l = b.face_first_loop[face]; l < b.face_first_loop[face + 1]; ++l) {
-    if (b.loop(l).size() >= 3) visit(b.loop(l));
-  }
-}
 
 /// floor(x 2^bits), which two limbs hold.
 FixedInt<2> in_units(const Rational& x, long bits) {
@@ -48,27 +43,33 @@ Rational from_units(const Integer& sum, long bits) {
 }  // namespace
 
 std::optional<FixedPointCones> FixedPointCones::of(const Brep& boundary, std::span<const std::uint32_t> faces,
-                                                   const Context& context) {
+                                                   const Point3& from, const Context& context) {
   std::vector<std::uint32_t> place(boundary.points.point_count(), none);
   std::vector<PointId> points;
+  double farthest = 0;  // of coordinates, from the point
   double largest = 0;
   std::size_t polled = 0;
   for (const std::uint32_t face : faces) {
     if (polled++ % 1024 == 0) context.poll();
-    for_each_loop(boundary, face, [&](std::span<const PointId> loop) {
+    for_each_ring(boundary, face, [&](std::span<const PointId> loop) {
       for (const PointId p : loop) {
         if (place[p.index()] != none) continue;
         place[p.index()] = static_cast<std::uint32_t>(points.size());
         points.push_back(p);
         const Point3& rounded = boundary.points.rounded(p);
-        largest = std::max({largest, std::fabs(rounded.x), std::fabs(rounded.y), std::fabs(rounded.z)});
+        for (std::size_t k = 0; k < 3; ++k) {
+          farthest = std::max(farthest, std::fabs(rounded[k] - from[k]));
+          largest = std::max(largest, std::fabs(rounded[k]));
+        }
       }
     });
   }
-  if (!std::isfinite(largest)) return std::nullopt;
-  // What was rounded to the largest is at most the power of two above it.
-  const long exponent = largest == 0 ? -1074L : std::ilogb(largest) + 1L;
-  FixedPointCones cones(boundary, grid_bits - exponent);
+  // The exact distance is off by the rounding of the vertex, within half a unit of it, and that of the difference.
+  // Twice the power of two above the sum is above both.
+  farthest += 0x1p-52 * largest;
+  if (!std::isfinite(farthest)) return std::nullopt;
+  const long exponent = farthest == 0 ? -1074L : std::ilogb(farthest) + 2L;
+  FixedPointCones cones(boundary, from, grid_bits - exponent);
   cones.place_ = std::move(place);
   cones.evaluate(points, context);
   cones.enclose(faces, context);
@@ -77,9 +78,10 @@ std::optional<FixedPointCones> FixedPointCones::of(const Brep& boundary, std::sp
 
 void FixedPointCones::evaluate(const std::vector<PointId>& points, const Context& context) {
   coordinates_.resize(points.size());
+  const RationalPoint3 from = exact_point(from_);
   for_each_chunk(context, points.size(), 256, [&](const Chunk& chunk) {
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-      const RationalPoint3 exact = boundary_->points.exact(points[i]);
+      const RationalPoint3 exact = boundary_->points.exact(points[i]) - from;
       for (unsigned axis = 0; axis < 3; ++axis) coordinates_[i][axis] = in_units(exact[axis], bits_);
     }
   });
@@ -103,7 +105,7 @@ void FixedPointCones::enclose(std::span<const std::uint32_t> faces, const Contex
   for_each_chunk(context, faces.size(), grain, [&](const Chunk& chunk) {
     Part part;
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-      for_each_loop(*boundary_, faces[i], [&](std::span<const PointId> loop) { add(loop, part.sum, part.triangles); });
+      for_each_ring(*boundary_, faces[i], [&](std::span<const PointId> loop) { add(loop, part.sum, part.triangles); });
     }
     parts[chunk.index] = part;
   });

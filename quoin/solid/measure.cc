@@ -9,6 +9,7 @@
 
 #include "quoin/base/parallel.h"
 #include "quoin/solid/dyadic_cones.h"
+#include "quoin/solid/face_loops.h"
 #include "quoin/solid/fixed_point_cones.h"
 
 namespace quoin {
@@ -19,11 +20,6 @@ void add(RationalPoint3& sum, const RationalPoint3& p) {
   sum.x += p.x;
   sum.y += p.y;
   sum.z += p.z;
-}
-
-template <class Visit>
-void for_each_loop(const Brep& b, std::uint32_t face, const Visit& visit) {
-  for (std::uint32_t l = b.face_first_loop[face]; l < b.face_first_loop[face + 1]; ++l) visit(b.loop(l));
 }
 
 // Sum in a balanced tree, so that long denominators meet late.
@@ -38,8 +34,7 @@ Rational sum(std::vector<Rational> terms) {
 // Six times the signed volume between the origin and the face.
 Rational cone_volume(const Brep& boundary, std::uint32_t face) {
   Rational total(0);
-  for_each_loop(boundary, face, [&](std::span<const PointId> loop) {
-    if (loop.size() < 3) return;
+  for_each_ring(boundary, face, [&](std::span<const PointId> loop) {
     const RationalPoint3 apex = boundary.points.exact(loop[0]);
     RationalPoint3 previous = boundary.points.exact(loop[1]);
     for (std::size_t i = 2; i < loop.size(); ++i) {
@@ -87,9 +82,22 @@ std::optional<double> common_nearest(const Rational& low, const Rational& high) 
   return below + 0.0;  // not the negative zero below one that vanishes
 }
 
-// Nothing where the volume is too near the middle of two doubles, or all faces are over doubles.
+// A vertex of the boundary, an explicit one if there is any.
+std::optional<PointId> some_vertex(const Brep& boundary) {
+  if (boundary.loop_vertices.empty()) return std::nullopt;
+  const std::size_t explicit_count = boundary.points.explicit_count();
+  const auto found =
+      std::ranges::find_if(boundary.loop_vertices, [&](PointId p) { return p.index() < explicit_count; });
+  return found != boundary.loop_vertices.end() ? *found : boundary.loop_vertices[0];
+}
+
+// By cones to a vertex: however far away the origin is, what is rounded is as fine as the solid asks for. Nothing where
+// the volume is too near the middle of two doubles, or all faces are over doubles.
 std::optional<double> enclosed_volume(const Brep& boundary, const Context& context) {
-  const std::optional<DyadicCones> dyadic = DyadicCones::of(boundary);
+  const std::optional<PointId> apex = some_vertex(boundary);
+  if (!apex) return std::nullopt;
+  std::optional<DyadicCones> dyadic = DyadicCones::of(boundary);
+  if (dyadic && apex->index() < boundary.points.explicit_count()) dyadic->measure_from(*apex);
   std::vector<std::uint32_t> others;
   DyadicCones::Sum sum;
   for (std::uint32_t f = 0; f < boundary.face_count(); ++f) {
@@ -101,7 +109,8 @@ std::optional<double> enclosed_volume(const Brep& boundary, const Context& conte
     }
   }
   if (others.empty()) return std::nullopt;
-  const std::optional<FixedPointCones> cones = FixedPointCones::of(boundary, others, context);
+  const std::optional<FixedPointCones> cones =
+      FixedPointCones::of(boundary, others, boundary.points.rounded(*apex), context);
   if (!cones) return std::nullopt;
   const Rational exact = dyadic ? dyadic->value(sum) : Rational(0);
   return common_nearest((exact + cones->low()) / Rational(6), (exact + cones->high()) / Rational(6));
@@ -128,8 +137,7 @@ Rational from_fixed_point(const Integer& value, long bits) {
 // Six times the first moments of the cone between the origin and the face are 1/4 (a + b + c) times its volume.
 RationalPoint3 cone_moment(const Brep& boundary, std::uint32_t face) {
   RationalPoint3 total{0, 0, 0};
-  for_each_loop(boundary, face, [&](std::span<const PointId> loop) {
-    if (loop.size() < 3) return;
+  for_each_ring(boundary, face, [&](std::span<const PointId> loop) {
     const RationalPoint3 apex = boundary.points.exact(loop[0]);
     RationalPoint3 previous = boundary.points.exact(loop[1]);
     for (std::size_t i = 2; i < loop.size(); ++i) {
@@ -206,7 +214,7 @@ std::optional<RationalPoint3> centroid(const Brep& boundary, const Context& cont
 
 RationalPoint3 area_vector(const Brep& boundary, std::uint32_t face) {
   RationalPoint3 twice{0, 0, 0};
-  for_each_loop(boundary, face, [&](std::span<const PointId> loop) {
+  for_each_ring(boundary, face, [&](std::span<const PointId> loop) {
     const RationalPoint3 apex = boundary.points.exact(loop[0]);
     for (std::size_t i = 2; i < loop.size(); ++i) {
       add(twice, cross(boundary.points.exact(loop[i - 1]) - apex, boundary.points.exact(loop[i]) - apex));
