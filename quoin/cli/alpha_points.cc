@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <span>
 
+#include "quoin/cli/cell_outputs.h"
 #include "quoin/cli/memory.h"
 #include "quoin/cli/point_input.h"
 #include "quoin/triangulation/delaunay2.h"
@@ -18,16 +19,19 @@ namespace {
 constexpr std::size_t poll_step = 4096;
 
 /// Of a complex of so many simplices of full dimension, with what the command takes and writes. Measured on a million
-/// points in a cube.
-std::uint64_t memory_of_cells(std::size_t cells, int dimension) {
-  return static_cast<std::uint64_t>(cells) * (dimension == 3 ? 330 : 150);
+/// points in a cube; exact values on fewer.
+std::uint64_t memory_of_cells(std::size_t cells, int dimension, bool is_exact) {
+  std::uint64_t per_cell = dimension == 3 ? 330 : 150;
+  if (is_exact) per_cell += dimension == 3 ? 1500 : 900;
+  return cells * per_cell;
 }
 
 /// Reads vertices by what `inputs(label, list)` puts into a list: the points at a vertex, those of its weight.
 template <class Triangulation, class Inputs>
 AlphaPoints take(const Triangulation& triangulation, std::size_t cells, const PointFile& file, const Options& options,
                  const Inputs& inputs, const Context& context) {
-  announce_memory(memory_of_cells(cells, triangulation.dimension()), file.points.size(), options);
+  announce_memory(memory_of_cells(cells, triangulation.dimension(), writes_exact_cells(options)), file.points.size(),
+                  options);
   context.progress("alpha complex", 0);
   AlphaPoints result{.alpha = AlphaComplex(triangulation, context)};
   const SimplicialComplex& complex = result.alpha.complex();

@@ -220,6 +220,11 @@ void require_exact(const Options& options) {
     throw UsageError("what --unstable writes has rounded coordinates: it does not go to .qcells");
 }
 
+std::uint64_t memory_per_point(const Options& options) {
+  if (writes_exact_cells(options)) return 28000;
+  return options.outputs.empty() ? 700 : 3000;
+}
+
 bool asks_for_more(const Options& options) {
   return options.stable > 0 || options.unstable > 0 || options.shape || options.simplify || options.reconstruct;
 }
@@ -234,7 +239,7 @@ int run_flow(const Options& options, const Context& context) {
   if (options.onto_plane) {
     for (Point3& p : file.points) p.z = 0;
   }
-  announce_memory(file.points.size() * (options.outputs.empty() ? 700 : 3000), file.points.size(), options);
+  announce_memory(file.points.size() * memory_per_point(options), file.points.size(), options);
   const Delaunay3 triangulation(file.points, context, {.is_canonical = true});
   Json report = describe(file, options);
   report["distinct"] = triangulation.vertex_count();

@@ -288,11 +288,12 @@ std::unique_ptr<NearestCells> nearest_cells(const PointFile& file, bool of_plane
   return std::make_unique<SpaceCells>(file, is_written, context);
 }
 
-std::uint64_t memory_of_nearest_cells(std::size_t points, bool of_plane, bool is_listed, bool is_written) {
+std::uint64_t memory_of_nearest_cells(std::size_t points, bool of_plane, const MemoryUse& use) {
   // Measured at a million points, what the file says of them included.
   std::uint64_t per_point = of_plane ? 290 : 400;
-  if (is_listed) per_point += of_plane ? 2500 : 7500;
-  if (is_written) per_point += of_plane ? 700 : 6000;
+  if (use.is_listed) per_point += of_plane ? 2500 : 7500;
+  if (use.is_written) per_point += of_plane ? 700 : 6000;
+  if (use.is_exact) per_point += of_plane ? 2800 : 11000;
   return points * per_point;
 }
 

@@ -52,7 +52,14 @@ class NearestCells {
 std::unique_ptr<NearestCells> nearest_cells(const PointFile& file, bool of_plane, bool is_written,
                                             const Context& context);
 
+/// What is made of cells: a list in the report, outputs, some of them exact.
+struct MemoryUse {
+  bool is_listed = false;
+  bool is_written = false;
+  bool is_exact = false;
+};
+
 /// About the most memory that it takes at a time, in bytes.
-std::uint64_t memory_of_nearest_cells(std::size_t points, bool of_plane, bool is_listed, bool is_written);
+std::uint64_t memory_of_nearest_cells(std::size_t points, bool of_plane, const MemoryUse& use);
 
 }  // namespace quoin::cli

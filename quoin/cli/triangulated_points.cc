@@ -206,7 +206,8 @@ std::uint64_t memory_to_triangulate(std::size_t points, const TriangulateOptions
   std::uint64_t per_point = options.of_plane ? 260 : 320;
   if (weighted) per_point += 100;
   if (options.check) per_point += options.of_plane ? 10 : 30;
-  if (options.is_written) per_point += options.of_plane ? 130 : 750;
+  if (options.is_written) per_point += options.of_plane ? 130 : 850;
+  if (options.delone) per_point += options.of_plane ? 200 : 2100;
   return points * per_point;
 }
 
