@@ -142,8 +142,9 @@ void add_topology(CLI::App& app, Options& options) {
   CLI::App* homology =
       add_command(app, options, "homology", "components, tunnels and voids: Betti numbers over fields, torsion");
   homology
-      ->add_option("file", options.inputs,
-                   "a mesh, or a text with the vertex numbers of a simplex in each line; '-' for standard input")
+      ->add_option(
+          "file", options.inputs,
+          "a mesh, cells (qcells), or a text with the vertex numbers of a simplex in each line; '-' for standard input")
       ->required()
       ->expected(1);
   add_repeatable(*homology, "--prime", options.primes, "Betti numbers over this many elements too (may be repeated)");
@@ -151,7 +152,8 @@ void add_topology(CLI::App& app, Options& options) {
       add_command(app, options, "persistence", "when components, tunnels and voids come and go in a growing complex");
   persistence
       ->add_option("file", options.inputs,
-                   "a text with the value and vertex numbers of a simplex in each line; '-' for standard input")
+                   "cells with values (qcells), or a text with the value and vertex numbers of a simplex in each line; "
+                   "'-' for standard input")
       ->required()
       ->expected(1);
   add_repeatable(*persistence, "--prime", options.primes, "over a field of this many elements (default: 2)");
