@@ -179,7 +179,7 @@ WriteReport write_mesh(const std::filesystem::path& path, MeshFormat format, con
   require_written(format);
   std::ofstream stream(path, std::ios::binary);
   if (!stream) throw FileError(path.string() + ": cannot be written: " + std::strerror(errno));
-  const WriteReport report = write_mesh(stream, format, mesh, context);
+  WriteReport report = write_mesh(stream, format, mesh, context);
   stream.close();
   if (!stream) throw FileError(path.string() + ": writing failed: " + std::strerror(errno));
   return report;
