@@ -147,7 +147,7 @@ WriteReport write_mesh(std::ostream& stream, MeshFormat format, const Mesh& mesh
                        const VertexData& data) {
   require_written(format);
   if (is_triangles_only(format)) require_triangles(mesh);
-  const WriteReport report = report_on(format, mesh, data);
+  WriteReport report = report_on(format, mesh, data);
   {
     BlockWriter out(stream, context);
     switch (format) {
