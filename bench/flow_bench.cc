@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The flow complex of scans rounded to a grid, one thread: critical points, and how long tables, stable surfaces and
 // unstable arcs take beside the triangulation.
-// Usage: flow_bench [doubles] [memory] [points ...]; 2700, 12600 and 33700 if none are given; `doubles` leaves out the
-// grid; `memory` prints memory instead, of one number of points.
+// Usage: flow_bench [doubles] [memory] [sheets] [json] [points ...]; 2700, 12600 and 33700 if none are given; `doubles`
+// leaves out the grid; `memory` prints memory instead, of one number of points; `sheets` follows unstable sheets of
+// index 1 too, which take far longer; `json` prints a line of JSON for each number of points (bench/run_flow reads it).
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -55,17 +57,19 @@ class Clock {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
+struct Words {
+  bool is_rounded = true;
+  bool is_memory = false;
+  bool has_sheets = false;
+  bool is_json = false;
+};
+
 double per(long kb, std::size_t points) {
   return 1024.0 * static_cast<double>(kb) / static_cast<double>(points);
 }
 
-void print(const char* name, const CrossingStatistics& crossings) {
-  std::printf("; %zu comparisons, %zu %s not decided by doubles, %zu exact points of at most %zu bits\n",
-              crossings.comparisons, crossings.undecided, name, crossings.exact_points, crossings.most_bits);
-}
-
 /// Largest memory so far, beyond the points.
-void measure_memory(const std::vector<Point3>& points) {
+void measure_memory(const std::vector<Point3>& points, const Words& words) {
   const Context context({.threads = 1});
   const long before = resident_kb();
   const Delaunay3 triangulation(points, context);
@@ -74,69 +78,156 @@ void measure_memory(const std::vector<Point3>& points) {
   const StableSurvey stable = survey_stable(flow, context);
   const UnstableSurvey unstable = survey_unstable(flow, context);
   const long with_all = peak_kb() - before;
+  const double ratio = static_cast<double>(with_all) / static_cast<double>(with_triangulation);
+  if (words.is_json) {
+    std::printf("{\"points\": %zu, \"triangulation\": %.1f, \"all\": %.1f, \"ratio\": %.4f}\n", points.size(),
+                per(with_triangulation, points.size()), per(with_all, points.size()), ratio);
+    return;
+  }
   std::printf(
       "%zu points, %zu triangles, %zu ways: %.0f B per point for the triangulation, %.0f B with tables and ways, "
       "%.2f\n",
       points.size(), stable.triangles, unstable.segments.count(), per(with_triangulation, points.size()),
-      per(with_all, points.size()), static_cast<double>(with_all) / static_cast<double>(with_triangulation));
+      per(with_all, points.size()), ratio);
 }
 
-void measure(const std::vector<Point3>& points) {
-  const Context context({.threads = 1});
-  Clock clock;
+/// All that is measured of one cloud; times in seconds.
+struct Result {
+  std::size_t points = 0;
+  std::size_t distinct = 0;
+  std::array<std::size_t, 4> critical{};
+  CellSignCounts undecided;
   double delaunay = 0;
+  double ordered = 0;
+  double tables = 0;
+  double s2 = 0;
+  double u2 = 0;
+  double u1 = 0;
+  StableSurvey stable;
+  UnstableSurvey unstable;
+  SheetSurvey sheets;
+
+  long sum() const {
+    return static_cast<long>(critical[0] + critical[2]) - static_cast<long>(critical[1] + critical[3]);
+  }
+};
+
+Result measure(const std::vector<Point3>& points, const Words& words) {
+  const Context context({.threads = 1});
+  Result result;
+  Clock clock;
   {
     const Delaunay3 unordered(points, context);
-    delaunay = clock.lap();
+    result.delaunay = clock.lap();
   }
   const Delaunay3 triangulation(points, context, {.is_canonical = true});
-  const double ordered = clock.lap();
+  result.ordered = clock.lap();
   const FlowCells flow(triangulation, context);
-  const double tables = clock.lap();
-  const std::array<std::size_t, 4> c = flow.counts();
-  const std::size_t n = triangulation.vertex_count();
+  result.tables = clock.lap();
+  result.points = points.size();
+  result.distinct = triangulation.vertex_count();
+  result.critical = flow.counts();
+  result.undecided = flow.undecided();
+  clock.lap();
+  result.stable = survey_stable(flow, context);
+  result.s2 = clock.lap();
+  result.unstable = survey_unstable(flow, context);
+  result.u2 = clock.lap();
+  if (words.has_sheets) {
+    result.sheets = survey_sheets(flow, context);
+    result.u1 = clock.lap();
+  }
+  return result;
+}
+
+void print(const char* name, const CrossingStatistics& crossings) {
+  std::printf("; %zu comparisons, %zu %s not decided by doubles, %zu exact points of at most %zu bits\n",
+              crossings.filters.comparisons.calls, crossings.undecided, name, crossings.exact_points,
+              crossings.most_bits);
+}
+
+void print(const Result& r, const Words& words) {
+  const std::array<std::size_t, 4>& c = r.critical;
   std::printf(
       "%zu points, %zu distinct: critical %zu %zu %zu %zu, sum %ld; D %.3f s, in canonical order %.2f D; tables "
       "%.3f s, %.2f D; %zu centre signs and %zu spheres not decided by doubles\n",
-      points.size(), n, c[0], c[1], c[2], c[3], static_cast<long>(c[0] + c[2]) - static_cast<long>(c[1] + c[3]),
-      delaunay, ordered / delaunay, tables, tables / delaunay, flow.undecided().centres, flow.undecided().spheres);
-  clock.lap();
-  const StableSurvey stable = survey_stable(flow, context);
-  const double s2 = clock.lap();
+      r.points, r.distinct, c[0], c[1], c[2], c[3], r.sum(), r.delaunay, r.ordered / r.delaunay, r.tables,
+      r.tables / r.delaunay, r.undecided.centres, r.undecided.spheres);
   std::printf(
-      "  S2 %.3f s, with tables %.2f D; %zu triangles, nS2 mean %.2f most %zu; flagged: vertex %zu, midpoint %zu", s2,
-      (tables + s2) / delaunay, stable.triangles, stable.depths.mean(), stable.depths.most(),
-      stable.with_voronoi_vertex, stable.with_regular_point);
-  print("facets", stable.crossings);
-  clock.lap();
-  const UnstableSurvey unstable = survey_unstable(flow, context);
-  const double u2 = clock.lap();
+      "  S2 %.3f s, with tables %.2f D; %zu triangles, nS2 mean %.2f most %zu; flagged: vertex %zu, midpoint %zu", r.s2,
+      (r.tables + r.s2) / r.delaunay, r.stable.triangles, r.stable.depths.mean(), r.stable.depths.most(),
+      r.stable.with_voronoi_vertex.size(), r.stable.with_regular_point.size());
+  print("facets", r.stable.crossings);
   std::printf(
       "  U2 %.3f s, with tables %.2f D; nU2 mean %.2f most %zu; cascades mean %.2f most %zu; %zu passed a regular "
       "point, %zu end in saddles",
-      u2, (tables + u2) / delaunay, unstable.segments.mean(), unstable.segments.most(), unstable.cascades.mean(),
-      unstable.cascades.most(), unstable.passed_regular, unstable.in_saddles);
-  print("facets", unstable.crossings);
+      r.u2, (r.tables + r.u2) / r.delaunay, r.unstable.segments.mean(), r.unstable.segments.most(),
+      r.unstable.cascades.mean(), r.unstable.cascades.most(), r.unstable.passed_regular.size(),
+      r.unstable.in_saddles.size());
+  print("facets", r.unstable.crossings);
+  if (!words.has_sheets) return;
+  std::printf("  U1 %.3f s, %.1f D; %zu pieces, %.2f us each; parts mean %.2f most %zu; %zu with a regular point", r.u1,
+              r.u1 / r.delaunay, r.sheets.pieces, 1e6 * r.u1 / static_cast<double>(r.sheets.pieces),
+              r.sheets.parts.mean(), r.sheets.parts.most(), r.sheets.with_regular_point.size());
+  print("facets", r.sheets.crossings);
+}
+
+void print_json(const char* name, const Histogram& h) {
+  std::printf(", \"%s\": {\"mean\": %.4f, \"deviation\": %.4f, \"mode\": %zu, \"median\": %zu, \"most\": %zu}", name,
+              h.mean(), h.deviation(), h.mode(), h.median(), h.most());
+}
+
+void print_json(const Result& r, const Words& words) {
+  const std::array<std::size_t, 4>& c = r.critical;
+  std::printf(
+      "{\"points\": %zu, \"distinct\": %zu, \"critical\": [%zu, %zu, %zu, %zu], \"sum\": %ld, \"delaunay\": %.6f, "
+      "\"ordered\": %.6f, \"tables\": %.6f, \"s2\": %.6f, \"u2\": %.6f",
+      r.points, r.distinct, c[0], c[1], c[2], c[3], r.sum(), r.delaunay, r.ordered, r.tables, r.s2, r.u2);
+  print_json("ns2", r.stable.depths);
+  print_json("nu2", r.unstable.segments);
+  print_json("nwcc", r.unstable.cascades);
+  if (words.has_sheets) {
+    std::printf(", \"u1\": %.6f, \"pieces\": %zu", r.u1, r.sheets.pieces);
+    print_json("parts", r.sheets.parts);
+  }
+  const auto undecided = [](const CrossingStatistics& crossings) {
+    return std::array{crossings.undecided, crossings.filters.comparisons.calls, crossings.depth};
+  };
+  const std::array<std::size_t, 3> s = undecided(r.stable.crossings);
+  const std::array<std::size_t, 3> u = undecided(r.unstable.crossings);
+  std::printf(
+      ", \"s2_undecided\": %zu, \"s2_comparisons\": %zu, \"s2_depth\": %zu, \"u2_undecided\": %zu, "
+      "\"u2_comparisons\": %zu, \"u2_depth\": %zu}\n",
+      s[0], s[1], s[2], u[0], u[1], u[2]);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  bool is_rounded = true;
-  bool is_memory = false;
+  Words words;
   std::vector<std::size_t> counts;
   for (int i = 1; i < argc; ++i) {
-    if (std::string(argv[i]) == "doubles") {
-      is_rounded = false;
-    } else if (std::string(argv[i]) == "memory") {
-      is_memory = true;
+    const std::string word = argv[i];
+    if (word == "doubles") {
+      words.is_rounded = false;
+    } else if (word == "memory") {
+      words.is_memory = true;
+    } else if (word == "sheets") {
+      words.has_sheets = true;
+    } else if (word == "json") {
+      words.is_json = true;
     } else {
       counts.push_back(std::strtoull(argv[i], nullptr, 10));
     }
   }
   if (counts.empty()) counts = {2700, 12600, 33700};
   for (const std::size_t count : counts) {
-    const std::vector<Point3> points = scan(count, is_rounded);
-    is_memory ? measure_memory(points) : measure(points);
+    const std::vector<Point3> points = scan(count, words.is_rounded);
+    if (words.is_memory) {
+      measure_memory(points, words);
+      continue;
+    }
+    const Result result = measure(points, words);
+    words.is_json ? print_json(result, words) : print(result, words);
   }
 }

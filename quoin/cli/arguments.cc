@@ -231,11 +231,13 @@ void add_triangulations(CLI::App& app, Options& options) {
 void add_flow(CLI::App& app, Options& options) {
   CLI::App* flow = add_points_command(app, options, "flow",
                                       "critical points of the distance to points, and what flows to them, exactly",
-                                      "the surfaces that are asked for");
-  flow->add_option("--stable", options.stable, "what flows to critical points of this index: 1 (edges) or 2 (surfaces)")
+                                      "the surfaces that are asked for, svg (histograms)");
+  flow->add_option("--stable", options.stable,
+                   "what flows to critical points of this index: 1 (edges), 2 (surfaces) or 3 (regions)")
+      ->check(CLI::IsMember({1, 2, 3}));
+  flow->add_option("--unstable", options.unstable,
+                   "what flows from critical points of this index: 1 (sheets) or 2 (ways to maxima)")
       ->check(CLI::IsMember({1, 2}));
-  flow->add_option("--unstable", options.unstable, "what flows from critical points of index 2: ways to maxima")
-      ->check(CLI::IsMember({2}));
   flow->add_option("--shape", options.shape, "what is found up to this distance, with its Betti numbers")
       ->check(finite_number(true));
   flow->add_option(

@@ -45,7 +45,10 @@ void write_one(const Target& target, const CellOutputs& outputs, const Options& 
     const ExactCells made = outputs.cells();
     context.progress("writing", 0);
     write_target(target, [&](std::ostream& out) { write_cells_text(out, made, context); });
+  } else if (target.kind == Target::Kind::drawing) {
+    write_target(target, outputs.drawing);
   } else if (target.kind == Target::Kind::page) {
+    if (!outputs.page) throw InputError("there is no page of this: vtk, ply, obj and off hold it");
     LayeredScene made = outputs.page();
     made.title = title_of(options.inputs[0]);
     context.progress("writing", 0);

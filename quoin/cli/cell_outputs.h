@@ -33,9 +33,10 @@ struct CellMesh {
 struct CellOutputs {
   std::function<VtkGrid()> grid;
   std::function<CellMesh()> mesh;
-  std::function<ExactCells()> cells;          ///< of .qcells
-  std::function<void(std::ostream&)> text{};  ///< of commands that write .txt
-  std::function<LayeredScene()> page{};       ///< of commands that write .html; the title is set here
+  std::function<ExactCells()> cells;             ///< of .qcells
+  std::function<void(std::ostream&)> text{};     ///< of commands that write .txt
+  std::function<LayeredScene()> page{};          ///< of commands that write .html; the title is set here
+  std::function<void(std::ostream&)> drawing{};  ///< of commands that write .svg beside cells
 };
 
 /// Whether an output is to hold exact cells.

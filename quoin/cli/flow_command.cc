@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,38 +12,25 @@
 #include "quoin/cli/commands.h"
 #include "quoin/cli/exact_flow.h"
 #include "quoin/cli/failure.h"
+#include "quoin/cli/flow_flat.h"
 #include "quoin/cli/flow_outputs.h"
+#include "quoin/cli/flow_report.h"
+#include "quoin/cli/flow_sheets.h"
 #include "quoin/cli/inputs.h"
 #include "quoin/cli/memory.h"
 #include "quoin/cli/planar.h"
 #include "quoin/cli/point_input.h"
+#include "quoin/cli/reporting.h"
 #include "quoin/cli/summary.h"
-#include "quoin/flow/flow_complex.h"
+#include "quoin/cli/targets.h"
 #include "quoin/flow/flow_survey.h"
+#include "quoin/view/histogram_svg.h"
 
 namespace quoin::cli {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr double default_ratio = 0.5;
-
-Json of_histogram(const Histogram& histogram) {
-  return {{"count", histogram.count()}, {"mean", histogram.mean()},     {"deviation", histogram.deviation()},
-          {"mode", histogram.mode()},   {"median", histogram.median()}, {"most", histogram.most()}};
-}
-
-void add_crossings(Json& report, const CrossingStatistics& crossings) {
-  report["comparisons"] = crossings.comparisons;
-  report["undecided_by_doubles"] = crossings.undecided;
-  report["exact_points"] = crossings.exact_points;
-  report["most_bits"] = crossings.most_bits;
-}
-
-long alternating_sum(const std::array<std::size_t, 4>& counts) {
-  return static_cast<long>(counts[0] + counts[2]) - static_cast<long>(counts[1] + counts[3]);
-}
 
 /// What a command asks of points of space, and what of it is to be written.
 class FlowOfSpace {
@@ -52,8 +40,19 @@ class FlowOfSpace {
 
   void report(Json& report) {
     add_counts(report);
-    if (options_.stable == 2) report["stable"] = stable();
-    if (options_.unstable == 2) report["unstable"] = unstable();
+    if (options_.stable == 2) {
+      context_.progress("stable surfaces", 0);
+      report["stable"] = told(survey_stable(flow_, context_));
+    }
+    if (options_.stable == 3) report["stable"] = regions();
+    if (options_.unstable == 1) {
+      context_.progress("unstable sheets", 0);
+      report["unstable"] = told(survey_sheets(flow_, context_));
+    }
+    if (options_.unstable == 2) {
+      context_.progress("ways to maxima", 0);
+      report["unstable"] = told(survey_unstable(flow_, context_));
+    }
     if (options_.shape) report["shape"] = shape();
     if (options_.simplify) report["simplified"] = simplified();
     if (options_.reconstruct) report["solid"] = solid();
@@ -61,7 +60,9 @@ class FlowOfSpace {
 
   VtkGrid grid() {
     VtkGrid grid;
+    if (options_.unstable == 1) return grid_of_sheets(sheets());
     if (options_.unstable == 2) return grid_of_arcs(flow_, context_);
+    if (options_.stable == 3) return grid_of_regions(graph(), context_);
     if (options_.stable == 1) {
       add_critical_edges(flow_, std::nullopt, grid, context_);
       return grid;
@@ -96,8 +97,17 @@ class FlowOfSpace {
     return mesh_.emplace(flow_mesh(flow_, walls_, context_, {.keeps_exact_points = writes_exact_cells(options_)}));
   }
 
+  Mesh faces() {
+    if (options_.unstable == 1) return mesh_of_sheets(sheets());
+    return has_surfaces() ? mesh_of_surfaces(mesh()) : Mesh{};
+  }
+
+  const std::vector<FlowHistogram>& histograms() const { return histograms_; }
+  /// Of what is written, for warnings: pieces of sheets that reach to infinity.
+  std::size_t unbounded_pieces() const { return sheets_ ? sheets_->unbounded : 0; }
+
   bool has_surfaces() const {
-    return options_.stable == 2 || options_.shape || options_.simplify || options_.reconstruct;
+    return options_.stable == 2 || options_.stable == 3 || options_.shape || options_.simplify || options_.reconstruct;
   }
 
  private:
@@ -114,31 +124,31 @@ class FlowOfSpace {
   void add_counts(Json& report) const {
     report["critical"] = flow_.counts();
     report["euler_characteristic"] = alternating_sum(flow_.counts());
+    report["stationary_regular"] = flow_.regular_polygons(context_).size() + flow_.regular_cells(context_).size();
     report["undecided_by_doubles"] = flow_.undecided().centres + flow_.undecided().spheres;
+    if (options_.json) report["filters"] = report_of(flow_.undecided());
   }
 
-  Json stable() const {
-    context_.progress("stable surfaces", 0);
-    const StableSurvey survey = survey_stable(flow_, context_);
-    Json json{{"triangles", survey.triangles},
-              {"depth", of_histogram(survey.depths)},
-              {"with_voronoi_vertex", survey.with_voronoi_vertex},
-              {"with_solid_part", survey.with_solid_part},
-              {"with_regular_point", survey.with_regular_point}};
-    add_crossings(json, survey.crossings);
-    return json;
+  template <class Survey>
+  Json told(const Survey& survey) {
+    for (FlowHistogram& histogram : histograms_of(survey)) histograms_.push_back(std::move(histogram));
+    return report_of(survey, options_.json);
   }
 
-  Json unstable() const {
-    context_.progress("ways to maxima", 0);
-    const UnstableSurvey survey = survey_unstable(flow_, context_);
-    Json json{{"segments", of_histogram(survey.segments)},
-              {"cascades", of_histogram(survey.cascades)},
-              {"to_infinity", survey.to_infinity},
-              {"passed_regular_point", survey.passed_regular},
-              {"end_in_saddle", survey.in_saddles}};
-    add_crossings(json, survey.crossings);
-    return json;
+  Json regions() {
+    context_.progress("regions", 0);
+    const FlowRegions found = flow_regions(graph(), context_);
+    const RegionSurvey survey = survey_regions(graph(), found, context_);
+    histograms_ = histograms_of(survey);
+    std::vector<std::uint32_t> all(graph().maxima().size());
+    std::iota(all.begin(), all.end(), 0U);
+    walls_ = walls_between(graph(), all);
+    return report_of(found, survey, options_.json);
+  }
+
+  const SheetPolygons& sheets() {
+    if (!sheets_) sheets_ = sheet_polygons(flow_, context_);
+    return *sheets_;
   }
 
   Json shape() {
@@ -185,6 +195,8 @@ class FlowOfSpace {
   std::unique_ptr<FlowGraph> graph_;
   std::vector<WallSaddle> walls_;
   std::optional<FlowMesh> mesh_;
+  std::optional<SheetPolygons> sheets_;
+  std::vector<FlowHistogram> histograms_;
 };
 
 /// The report as lines for people: what is inside objects with the objects' names in front.
@@ -209,10 +221,15 @@ void require_one_thing(const Options& options) {
   const int things = (options.stable > 0 ? 1 : 0) + (options.unstable > 0 ? 1 : 0) + (options.shape ? 1 : 0) +
                      (options.simplify ? 1 : 0) + (options.reconstruct ? 1 : 0);
   if (options.ratio && !options.reconstruct) throw UsageError("--ratio is that of --reconstruct");
-  if (things > 1 && (!options.outputs.empty() || (options.shape || options.simplify || options.reconstruct)))
+  const std::vector<Target> targets = targets_of(options);
+  const auto is_drawing = [](const Target& target) { return target.kind == Target::Kind::drawing; };
+  if (std::ranges::any_of(targets, is_drawing) && options.stable < 2 && options.unstable == 0)
+    throw UsageError(".svg holds histograms of what flows: it goes with --stable 2, --stable 3 or --unstable");
+  if (things > 1 &&
+      (!std::ranges::all_of(targets, is_drawing) || (options.shape || options.simplify || options.reconstruct)))
     throw UsageError(
-        "one of --stable, --unstable, --shape, --simplify and --reconstruct at a time; without outputs also "
-        "--stable with --unstable");
+        "one of --stable, --unstable, --shape, --simplify and --reconstruct at a time; without outputs, and for .svg, "
+        "also --stable with --unstable");
 }
 
 void require_exact(const Options& options) {
@@ -220,13 +237,23 @@ void require_exact(const Options& options) {
     throw UsageError("what --unstable writes has rounded coordinates: it does not go to .qcells");
 }
 
-std::uint64_t memory_per_point(const Options& options) {
-  if (writes_exact_cells(options)) return 28000;
-  return options.outputs.empty() ? 700 : 3000;
+std::function<void(std::ostream&)> drawing_of(const std::vector<FlowHistogram>& histograms, const Options& options) {
+  return [&](std::ostream& out) {
+    std::vector<NamedHistogram> named;
+    for (const FlowHistogram& h : histograms) named.push_back({h.name, &h.histogram});
+    write_histograms(out, named, "quoin flow of " + title_of(options.inputs[0]));
+  };
 }
 
-bool asks_for_more(const Options& options) {
-  return options.stable > 0 || options.unstable > 0 || options.shape || options.simplify || options.reconstruct;
+std::uint64_t bytes_per_point(const Options& options) {
+  if (writes_exact_cells(options)) return 28000;
+  if (options.outputs.empty()) return 700;
+  return options.unstable == 1 ? 30000 : 3000;
+}
+
+void warn_of_infinite_parts(std::size_t pieces, std::vector<std::string>& warnings) {
+  if (pieces == 0) return;
+  warnings.push_back(std::to_string(pieces) + " pieces of sheets reach to infinity and are not written");
 }
 
 }  // namespace
@@ -239,26 +266,30 @@ int run_flow(const Options& options, const Context& context) {
   if (options.onto_plane) {
     for (Point3& p : file.points) p.z = 0;
   }
-  announce_memory(file.points.size() * memory_per_point(options), file.points.size(), options);
+  announce_memory(file.points.size() * bytes_per_point(options), file.points.size(), options);
   const Delaunay3 triangulation(file.points, context, {.is_canonical = true});
   Json report = describe(file, options);
   report["distinct"] = triangulation.vertex_count();
   report["dimension"] = triangulation.dimension();
   if (triangulation.dimension() < 3) {
-    if (asks_for_more(options) || !options.outputs.empty())
-      throw InputError(shown(options.inputs[0]) +
-                       ": the points are in one plane: their critical points are counted, no more");
-    const FlowComplex flow(triangulation, context);
-    report["critical"] = flow.counts();
-    report["euler_characteristic"] = alternating_sum(flow.counts());
+    FlowOfFlat flow(triangulation, options, context);
+    flow.report(report, warnings);
+    write_cells({.grid = [&] { return flow.grid(); },
+                 .mesh = [&] { return flow.mesh(); },
+                 .cells = [&] { return flow.exact_cells(); },
+                 .text = {},
+                 .drawing = drawing_of(flow.histograms(), options)},
+                options, warnings, context);
   } else {
     FlowOfSpace flow(triangulation, options, context);
     flow.report(report);
     write_cells({.grid = [&] { return flow.grid(); },
-                 .mesh = [&] { return flow.has_surfaces() ? mesh_of_surfaces(flow.mesh()) : Mesh{}; },
+                 .mesh = [&] { return flow.faces(); },
                  .cells = [&] { return flow.exact_cells(); },
-                 .text = {}},
+                 .text = {},
+                 .drawing = drawing_of(flow.histograms(), options)},
                 options, warnings, context);
+    warn_of_infinite_parts(flow.unbounded_pieces(), warnings);
   }
   const std::string text = as_text(flat(report));
   print_report(std::move(report), text, warnings, options);

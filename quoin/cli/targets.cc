@@ -107,6 +107,8 @@ Target target_of(const std::string& name, const Options& options) {
   if (options.command == "delaunay" || options.command == "voronoi" || options.command == "alpha" ||
       options.command == "flow") {
     const bool has_text = options.command == "alpha";
+    const std::string ending = name != standard_stream ? ending_of(name) : in_small_letters("." + options.format);
+    if (options.command == "flow" && ending == ".svg") return {name, Target::Kind::drawing};
     const bool has_page = options.command != "voronoi";
     if (name != standard_stream) return cells_target(name, ending_of(name), has_text, has_page);
     return cells_target(name, in_small_letters("." + (options.format.empty() ? "vtk" : options.format)), has_text,

@@ -22,29 +22,13 @@ FlowTriangle CellCrosser::entry(const CellSide& side) const {
   return {v[ends.behind], v[ends.ahead], v[side.corner]};
 }
 
-// Around the edge from the simplex of the side on: of each simplex the triangle with the vertex behind, which has the
-// simplex above; and before a gap of the hull the last one from below.
-template <class Visit>
-void CellCrosser::for_each_spoke(const CellSide& side, const Visit& visit) const {
-  RingPlace at{side.facet.cell, side.corner, side.facet.slot};
-  do {
-    // The walk leaves through the facet opposite to `behind`.
-    const RingPlace next = at.next(cells_);
-    if (!flow_.is_ghost(at.cell)) {
-      const std::array<std::uint32_t, 4>& v = cells_[at.cell].vertices;
-      visit(Spoke{{at.cell, at.ahead}, true, v[at.behind], at.behind, true});
-      if (flow_.is_ghost(next.cell)) visit(Spoke{{at.cell, at.behind}, false, v[at.ahead], at.ahead, false});
-    }
-    at = next;
-  } while (at.cell != side.facet.cell);
+bool CellCrosser::is_usable(const RoundedRay& ray) {
+  ++filters_.starts.calls;
+  filters_.starts.undecided += ray.is_usable() ? 0 : 1;
+  return ray.is_usable();
 }
 
-bool CellCrosser::is_wide(const Spoke& spoke, bool is_right) const {
-  const CellShape& shape = flow_.shape(spoke.facet.cell);
-  return shape.wide_corner(spoke.facet.slot) == spoke.corner && shape.is_right(spoke.facet.slot) == is_right;
-}
-
-CellExit CellCrosser::exit(const Spoke& spoke, std::uint32_t point, const FlowTriangle& entry) {
+CellExit CellCrosser::exit(const FacetSpoke& spoke, std::uint32_t point, const FlowTriangle& entry) {
   CellExit found{.kind = CellExit::Kind::facet, .facet = spoke.facet, .is_above = spoke.is_above};
   found.point = chain_.add_landing(point, entry, spoke.vertex);
   return found;
@@ -55,31 +39,38 @@ CellExit CellCrosser::exit(const Spoke& spoke, std::uint32_t point, const FlowTr
 CellExit CellCrosser::forward(std::uint32_t point, const CellSide& side) {
   const FlowTriangle entry = this->entry(side);
   const RoundedRay ray = chain_.ray(point, entry);
-  if (!ray.is_usable()) return exact_exit(side, point, true);
+  if (!is_usable(ray)) return exact_exit(side, point, true);
   bool has_best = false;
   bool is_certain = true;
-  Spoke best{};
+  FacetSpoke best{};
   RoundedLine best_line;
-  for_each_spoke(side, [&](const Spoke& spoke) {
+  for_each_spoke(flow_, side, [&](const FacetSpoke& spoke) {
     if (!is_certain || spoke.vertex == entry[2]) return;
     const RoundedLine line = ray.line(points_[spoke.vertex]);
     if (line.slope < -line.slope_error) return;
     const int order = has_best ? RoundedRay::compare(line, best_line) : -1;
-    comparisons_ += has_best ? 1 : 0;
+    filters_.comparisons.calls += has_best ? 1 : 0;
     if (order > 0) return;
     is_certain = order < 0;
+    filters_.comparisons.undecided += is_certain ? 0 : 1;
     best = spoke;
     best_line = line;
     has_best = true;
   });
   if (is_certain && !has_best) return {};
-  RoundedPlace place;
-  if (!is_certain || !(best_line.slope > best_line.slope_error) || !(best_line.power > best_line.power_error)) {
+  if (!is_certain) return exact_exit(side, point, true);
+  ++filters_.exits.calls;
+  if (!(best_line.slope > best_line.slope_error) || !(best_line.power > best_line.power_error)) {
+    ++filters_.exits.undecided;
     return exact_exit(side, point, true);
   }
+  RoundedPlace place;
+  const bool lands = ray.land(best_line, place);
+  ++filters_.landings.calls;
+  filters_.landings.undecided += lands ? 0 : 1;
   CellExit found{.kind = CellExit::Kind::facet, .facet = best.facet, .is_above = best.is_above};
-  found.point = ray.land(best_line, place) ? chain_.add_landing(point, entry, best.vertex, place)
-                                           : chain_.add_landing(point, entry, best.vertex);
+  found.point =
+      lands ? chain_.add_landing(point, entry, best.vertex, place) : chain_.add_landing(point, entry, best.vertex);
   return found;
 }
 
@@ -89,26 +80,27 @@ CellExit CellCrosser::backward(std::uint32_t point, const CellSide& side) {
     return {.kind = CellExit::Kind::midpoint, .is_at_midpoint = true};
   }
   std::size_t count = 0;
-  Spoke best{};
-  for_each_spoke(side, [&](const Spoke& spoke) {
-    if (!is_wide(spoke, false)) return;
+  FacetSpoke best{};
+  for_each_spoke(flow_, side, [&](const FacetSpoke& spoke) {
+    if (power_of(flow_, spoke) != Sign::negative) return;
     best = spoke;
     ++count;
   });
   if (count == 0) return at_midpoint(side, entry);
   if (count == 1) return exit(best, point, entry);
   const RoundedRay ray = chain_.ray(point, entry);
-  if (!ray.is_usable()) return exact_exit(side, point, false);
+  if (!is_usable(ray)) return exact_exit(side, point, false);
   bool has_best = false;
   bool is_certain = true;
   RoundedLine best_line;
-  for_each_spoke(side, [&](const Spoke& spoke) {
-    if (!is_certain || !is_wide(spoke, false)) return;
+  for_each_spoke(flow_, side, [&](const FacetSpoke& spoke) {
+    if (!is_certain || power_of(flow_, spoke) != Sign::negative) return;
     const RoundedLine line = ray.line(points_[spoke.vertex]);
     const int order = has_best ? RoundedRay::compare(line, best_line) : 1;
-    comparisons_ += has_best ? 1 : 0;
+    filters_.comparisons.calls += has_best ? 1 : 0;
     if (order < 0) return;
     is_certain = order > 0;
+    filters_.comparisons.undecided += is_certain ? 0 : 1;
     best = spoke;
     best_line = line;
     has_best = true;
@@ -116,7 +108,7 @@ CellExit CellCrosser::backward(std::uint32_t point, const CellSide& side) {
   return is_certain ? exit(best, point, entry) : exact_exit(side, point, false);
 }
 
-CellExit CellCrosser::vertex_exit(const std::vector<Spoke>& ring, const std::vector<bool>& is_met) const {
+CellExit CellCrosser::vertex_exit(const std::vector<FacetSpoke>& ring, const std::vector<bool>& is_met) const {
   for (std::size_t i = 0; i < ring.size(); ++i) {
     if (ring[i].is_joined && is_met[i] && is_met[(i + 1) % ring.size()]) {
       return {.kind = CellExit::Kind::vertex, .cell = ring[i].facet.cell};
@@ -126,13 +118,13 @@ CellExit CellCrosser::vertex_exit(const std::vector<Spoke>& ring, const std::vec
 }
 
 CellExit CellCrosser::at_midpoint(const CellSide& side, const FlowTriangle& entry) {
-  std::vector<Spoke> ring;
+  std::vector<FacetSpoke> ring;
   std::vector<bool> is_met;
   std::size_t count = 0;
-  Spoke touching{};
-  for_each_spoke(side, [&](const Spoke& spoke) {
+  FacetSpoke touching{};
+  for_each_spoke(flow_, side, [&](const FacetSpoke& spoke) {
     ring.push_back(spoke);
-    is_met.push_back(is_wide(spoke, true));
+    is_met.push_back(power_of(flow_, spoke) == Sign::zero);
     if (!is_met.back()) return;
     touching = spoke;
     ++count;
@@ -154,16 +146,16 @@ CellExit CellCrosser::exact_exit(const CellSide& side, std::uint32_t point, bool
   const auto p = chain_.corners(entry);
   const flow::Vector<Rational> y =
       flow::LineFromMidpoint<Rational>(*p[0], *p[1], *p[2]).at(chain_.exact_place(point, entry));
-  std::vector<Spoke> ring;
+  std::vector<FacetSpoke> ring;
   std::vector<bool> is_met;
   std::size_t best = 0;
   bool has_best = false;
   Rational least;
   std::size_t count = 0;
-  for_each_spoke(side, [&](const Spoke& spoke) {
+  for_each_spoke(flow_, side, [&](const FacetSpoke& spoke) {
     ring.push_back(spoke);
     is_met.push_back(false);
-    if (is_forward ? spoke.vertex == entry[2] : !is_wide(spoke, false)) return;
+    if (is_forward ? spoke.vertex == entry[2] : power_of(flow_, spoke) != Sign::negative) return;
     const flow::FacetLine<Rational> line(*p[0], *p[1], points_[spoke.vertex]);
     const Rational slope = dot(y, line.direction);
     if (is_forward && slope.sign() != Sign::positive) return;

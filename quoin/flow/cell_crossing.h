@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "quoin/flow/crossing_chain.h"
+#include "quoin/flow/facet_spokes.h"
 #include "quoin/flow/flow_cells.h"
 
 namespace quoin {
@@ -25,6 +26,20 @@ struct CellExit {
   std::uint32_t point = CrossingChain::none;  ///< on the Voronoi edge
 };
 
+/// How often a question was asked in doubles, and how often they did not answer it.
+struct FilterCount {
+  std::size_t calls = 0;
+  std::size_t undecided = 0;
+};
+
+/// The questions of crossings.
+struct CrossingFilters {
+  FilterCount starts{};       ///< whether the place of the point is known well enough to go on from
+  FilterCount comparisons{};  ///< which of two Voronoi edges is met first
+  FilterCount exits{};        ///< whether the first one is met at all
+  FilterCount landings{};     ///< where it is met; computed exactly only if somebody asks
+};
+
 /// cross_forward and cross_backward of facet_crossing.h on the simplices of a triangulation: the same exits. Doubles
 /// with bounds decide; where they cannot, rationals do. O(k) for k simplices around the edge.
 class CellCrosser {
@@ -43,34 +58,23 @@ class CellCrosser {
   /// Against the flow.
   CellExit backward(std::uint32_t point, const CellSide& side);
 
-  /// How many pairs of fractions were compared, and how many crossings doubles left undecided.
-  std::size_t comparison_count() const { return comparisons_; }
+  const CrossingFilters& filters() const { return filters_; }
+  /// How many crossings doubles left undecided.
   std::size_t undecided_count() const { return undecided_; }
 
  private:
-  /// A triangle around the edge, by the vertex that is off the edge.
-  struct Spoke {
-    CellFacet facet;
-    bool is_above;
-    std::uint32_t vertex;
-    unsigned corner;  ///< slot of the vertex
-    bool is_joined;   ///< a simplex is between this and the next one
-  };
-  template <class Visit>
-  void for_each_spoke(const CellSide& side, const Visit& visit) const;
-  bool is_wide(const Spoke& spoke, bool is_right) const;
-
-  CellExit exit(const Spoke& spoke, std::uint32_t point, const FlowTriangle& entry);
+  bool is_usable(const flow::RoundedRay& ray);
+  CellExit exit(const FacetSpoke& spoke, std::uint32_t point, const FlowTriangle& entry);
   CellExit at_midpoint(const CellSide& side, const FlowTriangle& entry);
   /// Among the spokes of the ring, that may be met where `may_be` says so.
   CellExit exact_exit(const CellSide& side, std::uint32_t point, bool is_forward);
-  CellExit vertex_exit(const std::vector<Spoke>& ring, const std::vector<bool>& is_met) const;
+  CellExit vertex_exit(const std::vector<FacetSpoke>& ring, const std::vector<bool>& is_met) const;
 
   const FlowCells& flow_;
   std::span<const TriangulationCell> cells_;
   std::span<const Point3> points_;
   CrossingChain chain_;
-  std::size_t comparisons_ = 0;
+  CrossingFilters filters_;
   std::size_t undecided_ = 0;
 };
 

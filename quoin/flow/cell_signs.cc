@@ -2,6 +2,7 @@
 #include "quoin/flow/cell_signs.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "quoin/flow/face_formulas.h"
@@ -204,6 +205,8 @@ bool CellSigns::is_exactly_on_sphere(std::uint32_t cell, const Corners& p, std::
 
 CellShape CellSigns::shape(std::uint32_t cell, unsigned tested, unsigned& spheres) {
   const TriangulationCell& t = cells_[cell];
+  undecided_.centre_calls += 4;
+  undecided_.sphere_calls += static_cast<unsigned>(std::popcount(tested));
   Corners p{};
   for (unsigned i = 0; i < 4; ++i) p[i] = &points_[t.vertices[i]];
   CellShape shape;

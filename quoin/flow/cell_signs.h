@@ -40,10 +40,12 @@ struct CellShape {
   static constexpr unsigned lower_bits = 0x55;
 };
 
-/// How many signs doubles did not decide.
+/// How many signs doubles did not decide, of how many.
 struct CellSignCounts {
   std::size_t centres = 0;
   std::size_t spheres = 0;
+  std::size_t centre_calls = 0;
+  std::size_t sphere_calls = 0;
 };
 
 /// Shapes of the simplices of a triangulation, and whether neighbours are cospherical. Exact. Doubles with derived

@@ -25,8 +25,9 @@ int same_corners(const FlowTriangle& a, const FlowTriangle& b) {
   return 0;
 }
 
-std::size_t bits(const Rational& value) {
-  return std::max(mpz_sizeinbase(mpq_numref(value.raw()), 2), mpz_sizeinbase(mpq_denref(value.raw()), 2));
+/// Of numerator and denominator.
+std::array<std::size_t, 2> bits(const Rational& value) {
+  return {mpz_sizeinbase(mpq_numref(value.raw()), 2), mpz_sizeinbase(mpq_denref(value.raw()), 2)};
 }
 
 }  // namespace
@@ -44,7 +45,11 @@ void CrossingChain::clear() {
   if (!exact_.empty()) exact_.clear();
 }
 
-std::uint32_t CrossingChain::add(const Node& node) {
+std::uint32_t CrossingChain::add(Node node) {
+  if (node.parent != none) {
+    node.depth = nodes_[node.parent].depth + 1;
+    most_depth_ = std::max<std::size_t>(most_depth_, node.depth);
+  }
   nodes_.push_back(node);
   return size() - 1;
 }
@@ -118,6 +123,22 @@ Sign CrossingChain::side(std::uint32_t node) {
   return exact(node).sign();
 }
 
+Sign CrossingChain::compare(std::uint32_t node, std::uint32_t other) {
+  for (const std::uint32_t at : {node, other}) {
+    if (nodes_[at].state == State::unknown) round(at);
+  }
+  const FlowTriangle triangle = nodes_[node].triangle;
+  RoundedPlace here;
+  RoundedPlace there;
+  if (convert(nodes_[node], triangle, here) && convert(nodes_[other], triangle, there)) {
+    const double off = here.t - there.t;
+    const double bound = 1.01 * (here.error + there.error) + 4e-16 * std::fabs(off);
+    if (off > bound) return Sign::positive;
+    if (off < -bound) return Sign::negative;
+  }
+  return (exact_place(node, triangle) - exact_place(other, triangle)).sign();
+}
+
 Rational CrossingChain::landing(const Node& node) {
   const auto p = corners(node.triangle);
   if (node.parent == none) {
@@ -139,7 +160,9 @@ const Rational& CrossingChain::exact(std::uint32_t node) {
     Node& here = nodes_[at];
     Rational value = landing(here);
     ++exact_count_;
-    most_bits_ = std::max(most_bits_, bits(value));
+    const std::array<std::size_t, 2> sizes = bits(value);
+    most_bits_ = std::max({most_bits_, sizes[0], sizes[1]});
+    exact_bytes_.add((sizes[0] + 7) / 8 + (sizes[1] + 7) / 8);
     // In the scale of the doubles, one over a length.
     const Interval around = Interval::around(value);
     const double unscaled = 1 / scale_;
@@ -177,7 +200,7 @@ RationalPoint3 CrossingChain::exact_point(std::uint32_t node) {
 
 // As RoundedRay bounds its errors: with k = |a| |b| / |n|, the centre from the first corner has 32 k u (|a| + |b|) and
 // 17 k u of itself, n has 8 k u of itself, and the place its own error times n.
-Point3 CrossingChain::near_point(std::uint32_t node) {
+Point3 CrossingChain::near_point(std::uint32_t node, double part) {
   if (nodes_[node].state == State::unknown) round(node);
   const Node& at = nodes_[node];
   const auto p = corners(at.triangle);
@@ -196,7 +219,7 @@ Point3 CrossingChain::near_point(std::uint32_t node) {
   const double error =
       1e-14 * k * (norm(centre) + norm(a) + norm(b) + std::fabs(at.place.t) * norm(n)) + at.place.error * norm(n);
   const double largest = std::max({std::fabs(first.x), std::fabs(first.y), std::fabs(first.z)}) * scale_;
-  if (at.state == State::rounded && nn > 0x1p-160 && k < 0x1p26 && error < 0x1p-32 * std::max(largest, norm(off))) {
+  if (at.state == State::rounded && nn > 0x1p-160 && k < 0x1p26 && error < part / 4 * std::max(largest, norm(off))) {
     const double unscaled = 1 / scale_;
     return {first.x + off.x * unscaled, first.y + off.y * unscaled, first.z + off.z * unscaled};
   }

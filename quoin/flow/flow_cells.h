@@ -24,6 +24,11 @@ struct CellSide {
   CellFacet facet;
   unsigned corner = 0;  ///< the side is opposite to it
 };
+/// A polygon by the facet that names it.
+struct NamedPolygon {
+  CellFacet facet{};
+  bool is_same_side = true;  ///< its simplex is on the side of the facet that was asked about
+};
 
 /// Where orbits go on from a Voronoi vertex.
 struct CellWay {
@@ -92,10 +97,19 @@ class FlowCells {
   /// The side of a polygon, given by any facet of it, in whose facet orbits go on; a corner equal to the slot if they
   /// stay on the polygon's Voronoi edge.
   CellSide way_of_polygon(CellFacet facet) const;
+  /// The facet with the least number of a polygon, given by any facet of it, of all that are not at infinity.
+  NamedPolygon named(CellFacet facet) const;
+  /// Whether the facet is between two simplices of one Delone cell.
+  bool is_inside_cell(CellFacet facet) const { return (inner(facet.cell) >> facet.slot & 1) != 0; }
   /// Whether a stationary orbit on the polygon's own Voronoi edge is at a critical point.
   bool is_critical_polygon(CellFacet facet) const;
   /// Whether the Delone cell has a smaller number than the other, in the order of DeloneComplex; no ghosts.
   bool is_before(std::uint32_t cell, std::uint32_t other) const;
+
+  /// Stationary points that are not critical, in the duals of polygons and of cells, by their numbers. O(n).
+  /// @throws Cancelled
+  std::vector<CellFacet> regular_polygons(const Context& context) const;
+  std::vector<std::uint32_t> regular_cells(const Context& context) const;
 
   /// Sides of a polygon from which orbits enter its Voronoi edge.
   void entering_sides(CellFacet facet, std::vector<CellSide>& sides) const;
@@ -125,6 +139,7 @@ class FlowCells {
     std::uint32_t first;
     CellWay way;
   };
+  bool is_regular_polygon(CellFacet named) const;
   bool is_first_at_edge(std::uint32_t cell, unsigned edge) const;
   unsigned inner(std::uint32_t cell) const { return rows_[cell].bits & 15U; }
   bool is_triangle(CellFacet facet) const;

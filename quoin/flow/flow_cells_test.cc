@@ -15,6 +15,7 @@
 #include "quoin/flow/saddle_arcs.h"
 #include "quoin/flow/saddle_surfaces.h"
 #include "quoin/flow/stable_surface.h"
+#include "quoin/flow/test_flow_names.h"
 #include "quoin/flow/unstable_arcs.h"
 #include "quoin/triangulation/test_clouds.h"
 
@@ -22,49 +23,12 @@ namespace quoin {
 namespace {
 
 using testing::Random;
+using Names = testing::FlowNames;
 
 const Context& context() {
   static const Context one({.threads = 1});
   return one;
 }
-
-/// Faces of both descriptions, by vertices.
-class Names {
- public:
-  Names(const Delaunay3& triangulation, const FlowComplex& flow) : triangulation_(triangulation) {
-    for (unsigned d = 2; d < 4; ++d) {
-      for (std::uint32_t i = 0; i < flow.faces().count(d); ++i) {
-        const std::span<const std::uint32_t> v = flow.faces().vertices({d, i});
-        for (const std::uint32_t a : v) faces_of_[a].insert({d, i});
-      }
-    }
-  }
-  /// The face of the dimension with all these vertices.
-  DeloneFace of(unsigned dimension, std::vector<std::uint32_t> vertices) const {
-    DeloneFace found{0, 0};
-    for (const DeloneFace& face : faces_of_.at(vertices[0])) {
-      const bool has_all = std::all_of(vertices.begin(), vertices.end(),
-                                       [&](std::uint32_t v) { return faces_of_.at(v).contains(face); });
-      if (face.dimension == dimension && has_all) found = face;
-    }
-    return found;
-  }
-  DeloneFace of(CellFacet facet) const {
-    std::vector<std::uint32_t> vertices;
-    for (unsigned i = 0; i < 4; ++i) {
-      if (i != facet.slot) vertices.push_back(triangulation_.cells()[facet.cell].vertices[i]);
-    }
-    return of(2, vertices);
-  }
-  DeloneFace of_cell(std::uint32_t cell) const {
-    const auto& v = triangulation_.cells()[cell].vertices;
-    return of(3, {v.begin(), v.end()});
-  }
-
- private:
-  const Delaunay3& triangulation_;
-  std::map<std::uint32_t, std::set<DeloneFace>> faces_of_;
-};
 
 using Piece = std::tuple<std::uint32_t, std::uint32_t, RationalPoint3, RationalPoint3, bool>;
 
@@ -146,6 +110,7 @@ struct Seen {
   std::size_t undecided = 0;
   std::size_t large_cells = 0;
   std::size_t not_ordinary = 0;
+  std::size_t regular = 0;
 };
 
 /// The survey of simplices says what the complex of Delone faces says.
@@ -172,6 +137,12 @@ void check(const std::vector<Point3>& points, Seen& seen) {
     ASSERT_EQ(way.kind == CellWay::Kind::maximum, flow.is_critical(face));
     ASSERT_TRUE(way.kind != CellWay::Kind::facet || names.of(CellFacet{way.cell, way.place}) == crossed);
   }
+  std::set<DeloneFace> regular;
+  for (const CellFacet& f : cells.regular_polygons(context())) ASSERT_TRUE(regular.insert(names.of(f)).second);
+  for (const std::uint32_t c : cells.regular_cells(context())) ASSERT_TRUE(regular.insert(names.of_cell(c)).second);
+  const std::vector<DeloneFace> expected = flow.faces_of_kind(FlowKind::regular);
+  ASSERT_EQ(regular, std::set<DeloneFace>(expected.begin(), expected.end()));
+  seen.regular += regular.size();
   SaddleSurfaces surfaces(cells);
   SaddleArcs arcs(cells);
   ArcTracer tracer(flow);
@@ -203,6 +174,7 @@ TEST(FlowCells, SayWhatDeloneFacesSay) {
   EXPECT_GT(seen.undecided, 0U);
   EXPECT_GT(seen.large_cells, 0U);
   EXPECT_GT(seen.not_ordinary, 0U);
+  EXPECT_GT(seen.regular, 0U);
 }
 
 TEST(FlowCells, NearPointsAreNear) {

@@ -64,6 +64,21 @@ std::vector<CellFacet> FlowCells::polygon(CellFacet facet) const {
   return found;
 }
 
+NamedPolygon FlowCells::named(CellFacet facet) const {
+  NamedPolygon best{facet, true};
+  const auto add = [&](const CellFacet& part) {
+    if (part.number() < best.facet.number()) best = {part, true};
+    const CellFacet back = mate(part);
+    if (!is_ghost(back.cell) && back.number() < best.facet.number()) best = {back, false};
+  };
+  if (is_triangle(facet)) {
+    add(facet);
+  } else {
+    for (const CellFacet& part : polygon(facet)) add(part);
+  }
+  return best;
+}
+
 std::vector<std::uint32_t> FlowCells::cluster(std::uint32_t cell) const {
   std::vector<std::uint32_t> found{cell};
   std::vector<std::uint32_t> sorted{cell};

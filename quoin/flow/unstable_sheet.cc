@@ -28,17 +28,16 @@ struct Linear {
   Rational at(const Rational& t) const { return constant + slope * t; }
 };
 
-/// Cuts off where the function is negative; whether that moved an end of the interval.
-bool cut_to_positive(VoronoiInterval& part, const Linear& f) {
+/// Cuts off where the function is negative.
+void cut_to_positive(VoronoiInterval& part, const Linear& f) {
   if (f.slope.sign() == Sign::zero) {
     if (f.constant.sign() == Sign::negative) part.low = part.high = Rational(0);
-    return false;
+    return;
   }
   const Rational root = -f.constant / f.slope;
   std::optional<Rational>& end = f.slope.sign() == Sign::positive ? part.low : part.high;
   const bool is_inside = !end || (f.slope.sign() == Sign::positive ? root >= *end : root <= *end);
   if (is_inside) end = root;
-  return is_inside;
 }
 
 /// What is left of a part outside disjoint others.
@@ -144,11 +143,21 @@ class Sheet {
   }
 
   void follow(const VoronoiInterval& part) {
+    note_vertices(part);
     const DeloneFace crossed = flow_.crossed({2, part.polygon});
     if (crossed.dimension == 2) {
       follow_along(part);
     } else {
       follow_through(part, crossed.index);
+    }
+  }
+
+  /// The Voronoi vertices at which a part ends.
+  void note_vertices(const VoronoiInterval& part) {
+    for (const std::uint32_t cell : faces_.cells_of_polygon(part.polygon)) {
+      if (cell == DeloneFaces::outside) continue;
+      const Rational t = place_of(cell, part.polygon);
+      if (t == part.low || t == part.high) sheet_.cells.push_back(cell);
     }
   }
 
@@ -160,6 +169,14 @@ class Sheet {
     if (is_inside && flow_.is_critical({2, part.polygon})) sheet_.saddles.push_back(part.polygon);
     if (is_at_end || (is_inside && flow_.kind({2, part.polygon}) == FlowKind::regular)) sheet_.is_ordinary = false;
     sheet_.along.push_back(part);
+    if (low == Sign::negative) reach(faces_.cells_of_polygon(part.polygon)[0]);
+    if (high == Sign::positive) reach(faces_.cells_of_polygon(part.polygon)[1]);
+  }
+
+  /// The flow along a Voronoi edge ends there.
+  void reach(std::uint32_t cell) {
+    sheet_.is_infinite |= cell == DeloneFaces::outside;
+    if (cell != DeloneFaces::outside) sheet_.cells.push_back(cell);
   }
 
   void follow_through(const VoronoiInterval& part, std::uint32_t edge) {
@@ -168,18 +185,12 @@ class Sheet {
     bool lands = false;
     for (const FacetExits::Line& line : exits.lines) {
       VoronoiInterval from = part;
-      std::vector<std::pair<Rational, std::uint32_t>> corners;
       cut_to_positive(from, line.inverse);
       for (const FacetExits::Line& other : exits.lines) {
         if (other.polygon == line.polygon) continue;
-        const Linear lead = line.inverse - other.inverse;
-        if (!cut_to_positive(from, lead)) continue;
-        corners.emplace_back(-lead.constant / lead.slope, faces_.common_cell(line.polygon, other.polygon));
+        cut_to_positive(from, line.inverse - other.inverse);
       }
       if (is_empty(from)) continue;
-      for (const auto& [t, cell] : corners) {
-        if (cell != DeloneFaces::outside && (t == from.low || t == from.high)) sheet_.cells.push_back(cell);
-      }
       open_.push_back(landed(line, from));
       lands = true;
       sheet_.is_infinite |= !open_.back().low || !open_.back().high;

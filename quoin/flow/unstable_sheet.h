@@ -30,8 +30,8 @@ struct UnstableSheet {
   std::uint32_t edge = 0;
   std::vector<SheetPiece> pieces;
   std::vector<VoronoiInterval> along;  ///< parts of Voronoi edges that the flow follows, where the surface ends
-  std::vector<std::uint32_t>
-      cells;  ///< Voronoi vertices on the boundary of pieces, ascending; follow them with an ArcTracer
+  std::vector<std::uint32_t> cells;  ///< Voronoi vertices on the boundary of pieces and at ends of `along`, ascending;
+                                     ///< follow them with an ArcTracer
   std::vector<std::uint32_t> saddles;  ///< critical polygons whose centres are inside those parts, ascending
   bool is_infinite = false;            ///< it is not bounded
   /// An end of a part is a stationary point, or one that is not critical is inside: then neighbours end elsewhere.

@@ -24,7 +24,8 @@ hull minkowski erode decompose gaussian-map distance width homology persistence 
         arrange | overlay | locate | gaussian-map) formats="svg html" ;;
         assembly) formats="json html" ;;
         delaunay) formats="vtk ply obj off qcells html" ;;
-        voronoi | flow) formats="vtk ply obj off qcells" ;;
+        voronoi) formats="vtk ply obj off qcells" ;;
+        flow) formats="vtk ply obj off qcells svg" ;;
         alpha) formats="vtk ply obj off qcells html txt" ;;
         polygon) formats="wkt geojson dxf svg html" ;;
       esac
@@ -45,11 +46,11 @@ hull minkowski erode decompose gaussian-map distance width homology persistence 
       ;;
     --plane) [[ ${COMP_WORDS[1]} == section ]] && return ;;
     --stable)
-      mapfile -t COMPREPLY < <(compgen -W "1 2" -- "$word")
+      mapfile -t COMPREPLY < <(compgen -W "1 2 3" -- "$word")
       return
       ;;
     --unstable)
-      mapfile -t COMPREPLY < <(compgen -W "2" -- "$word")
+      mapfile -t COMPREPLY < <(compgen -W "1 2" -- "$word")
       return
       ;;
     --memory | --value | --radius | --pieces | --shape | --simplify | --ratio | --ball | --within | --translate | --direction | --prime | --threads | --timeout | --seed | --weld | --point | --line | --flatten | --distance | --precision | --base | --limit) return ;;

@@ -228,6 +228,16 @@ class Flow(CellsTest):
         self.assertEqual(self.betti()[0], 1)
         self.run_quoin("flow", "missing.xyz", "--unstable", "2", "-o", "p.qcells", code=USAGE)
 
+    def test_shapes_of_points_of_a_plane(self):
+        points = [(x, y, 7) for x in range(6) for y in range(6) if (x * y) % 4 != 1]
+        for distance in ("0.4", "0.5", "0.75", "1.25"):
+            report, exact = self.cells_of("flow", points, "--shape", distance)
+            betti = report["shape"]["betti_numbers"]
+            self.assertEqual(betti[0], components(points, float(distance)))
+            self.assertEqual((self.betti() + [0])[:2], betti[:2])
+            self.assertEqual({p[2] for p in exact.points}, {7})
+            self.assertLessEqual(max(exact.of_cell["square_distance"]), Fraction(distance) ** 2)
+
 
 class Reading(CellsTest):
     def test_streams_and_comments(self):

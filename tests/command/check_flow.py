@@ -6,10 +6,12 @@
 import itertools
 import math
 import random
+import statistics
 import unittest
+import xml.etree.ElementTree as ElementTree
 from fractions import Fraction
 
-from check_points import CUBE, cloud, read_vtk, text_of
+from check_points import CUBE, cloud, determinant, read_vtk, text_of
 from command import REFUSED, USAGE, CommandTest, main
 
 
@@ -80,6 +82,24 @@ def torus(around, along):
     return points
 
 
+FACE_CENTRES = [tuple(side if i == axis else 0.5 for i in range(3)) for axis in range(3) for side in (0, 1)]
+
+
+def total(distribution):
+    return sum(value * count for value, count in enumerate(distribution["frequencies"]))
+
+
+def volume_of_polyhedron(points, cell):
+    """Of triangles, counterclockwise from outside."""
+    six, at = 0, 1
+    for _ in range(cell[0]):
+        assert cell[at] == 3
+        six += determinant([points[i] for i in cell[at + 1:at + 4]])
+        at += 4
+    assert at == len(cell)
+    return six / 6
+
+
 class Flow(CommandTest):
     def test_counts_are_those_of_the_definition(self):
         for seed in range(3):
@@ -108,11 +128,104 @@ class Flow(CommandTest):
         self.assertEqual((report["unstable"]["segments"]["count"], report["unstable"]["to_infinity"]), (12, 6))
         for points in (cloud(60, 3, grid=4), [(x, y, z) for x in range(4) for y in range(4) for z in range(3)]):
             self.assertEqual(self.json_of("flow", "-", stdin=text_of(points))["euler_characteristic"], 1)
-        for text, expected in (("1 2 3\n", [1, 0, 0, 0]), ("0 0 0\n2 0 0\n5 0 0\n", [3, 2, 0, 0]),
-                               ("0 0\n1 0\n0 1\n1 1\n", [4, 4, 1, 0])):
-            self.assertEqual(self.json_of("flow", "-", stdin=text)["critical"], expected)
-            self.assertIn("one plane", self.run_quoin("flow", "-", "--stable", "2", stdin=text, code=REFUSED).stderr)
+        self.assertEqual(self.json_of("flow", "-", stdin=text_of(CUBE + FACE_CENTRES))["stationary_regular"], 12)
         self.assertEqual(self.json_of("flow", "-", "--plane", stdin=cube)["critical"], [4, 4, 1, 0])
+
+    def test_sheets_and_surfaces_have_the_same_pairs(self):
+        points = text_of(cloud(60, 3, seed=4))
+        sheets = self.json_of("flow", "-", "--unstable", "1", stdin=points)
+        surfaces = self.json_of("flow", "-", "--stable", "2", stdin=points)
+        unstable, stable = sheets["unstable"], surfaces["stable"]
+        self.assertEqual(unstable["sheets"], sheets["critical"][1])
+        self.assertEqual((unstable["flagged"], stable["flagged"]), ({}, {}))
+        self.assertEqual(total(unstable["saddles"]), stable["depth"]["count"])
+        for report in (unstable, stable):
+            self.assertEqual(set(report["filters"]), {"starts", "comparisons", "exits", "landings"})
+            self.assertTrue(all(f["undecided"] <= f["calls"] for f in report["filters"].values()))
+        for distribution in (unstable["parts"], unstable["voronoi_vertices"], stable["depth"]):
+            self.check_distribution(distribution)
+        cube = self.json_of("flow", "-", "--unstable", "1", stdin=text_of(CUBE))["unstable"]
+        self.assertEqual((cube["sheets"], cube["pieces"], cube["to_infinity"]), (12, 12, 12))
+        self.assertEqual((cube["parts"]["mean"], cube["saddles"]["mean"], cube["voronoi_vertices"]["mean"]), (2, 2, 1))
+
+    def check_distribution(self, distribution):
+        values = [v for v, count in enumerate(distribution["frequencies"]) for _ in range(count)]
+        self.assertEqual((distribution["count"], distribution["most"]), (len(values), max(values)))
+        self.assertAlmostEqual(distribution["mean"], statistics.mean(values))
+        self.assertAlmostEqual(distribution["deviation"], statistics.pstdev(values))
+        self.assertEqual(distribution["median"], statistics.median_low(values))
+        self.assertEqual(distribution["mode"], min(statistics.multimode(values)))
+
+    def test_regions(self):
+        lattice = text_of([(x, y, z) for x in range(3) for y in range(4) for z in range(5)])
+        report = self.json_of("flow", "-", "--stable", "3", "-o", "l.vtk", "-o", "l.off", stdin=lattice)["stable"]
+        self.assertEqual((report["regions"], report["wall_saddles"]["mean"], report["triangles"]), (24, 6, 8 * 98))
+        self.assertEqual((report["voronoi_vertices"]["mean"], report["inner_saddles"]), (1, 0))
+        points, cells, arrays = read_vtk(self.read("l.vtk").decode())
+        self.assertEqual([t for t, _ in cells], [42] * 24)
+        self.assertEqual(sorted(arrays["number"]), list(range(24)))
+        self.assertEqual(set(arrays["walls"]), {6})
+        for _, cell in cells:
+            self.assertAlmostEqual(volume_of_polyhedron(points, cell), 1)
+        self.assertEqual(self.read("l.off").decode().split("\n")[1].split()[1], str(8 * 98))
+        # The walls of all regions are around what flows to no maximum.
+        points = text_of(cloud(60, 3, seed=4))
+        report = self.json_of("flow", "-", "--stable", "3", "-o", "r.vtk", stdin=points)
+        self.assertEqual(report["stable"]["regions"], report["critical"][3])
+        places, cells, _ = read_vtk(self.read("r.vtk").decode())
+        self.assertTrue(all(volume_of_polyhedron(places, cell) > 0 for _, cell in cells))
+
+    def test_points_of_a_plane_or_line(self):
+        for text, expected in (("1 2 3\n", [1, 0, 0, 0]), ("0 0 0\n2 0 0\n5 0 0\n", [3, 2, 0, 0]),
+                               ("0 0\n1 0\n0 1\n1 1\n", [4, 4, 1, 0]), ("0 0 0\n1 0 1\n0 1 0\n1 1 1\n", [4, 4, 1, 0])):
+            for words in ([], ["--stable", "1"], ["--stable", "2"], ["--stable", "3"], ["--unstable", "1"],
+                          ["--unstable", "2"], ["--shape", "9"], ["--simplify", "0"], ["--reconstruct"]):
+                report = self.json_of("flow", "-", *words, "-o", "p.vtk", "-o", "p.off", stdin=text)
+                self.assertEqual((report["critical"], report["euler_characteristic"]), (expected, 1))
+                if "--unstable" in words and expected[2] == 0:
+                    infinite = 2 * expected[1] if words[1] == "1" else 0
+                    self.assertEqual(report["unstable"]["to_infinity"], infinite)
+                if words == ["--shape", "9"]:
+                    self.assertEqual(report["shape"]["betti_numbers"], [1, 0, 0])
+        kite = "-4 0\n4 0\n0 2\n0 -10\n"
+        for text in (kite, kite.replace("\n", " 7\n"), "-4 0 0\n4 0 0\n0 0 2\n0 0 -10\n"):
+            report = self.json_of("flow", "-", "--stable", "2", "-o", "k.vtk", stdin=text)
+            self.assertEqual((report["stable"]["triangles"], report["stable"]["depth"]["frequencies"]), (10, [0, 2, 2]))
+            self.assertEqual(len(read_vtk(self.read("k.vtk").decode())[1]), 10)
+            report = self.json_of("flow", "-", "--unstable", "1", "-o", "k.vtk", stdin=text)["unstable"]
+            self.assertEqual((report["segments"]["frequencies"], report["to_infinity"]), ([0, 6, 2], 4))
+            points, cells, _ = read_vtk(self.read("k.vtk").decode())
+            self.assertEqual([t for t, _ in cells], [3] * 5)
+            self.assertIn(-4.2, {c for p in points for c in p})
+        # Discs about the corners of a square, from when they touch until they fill it.
+        square = "0 0\n2 0\n0 2\n2 2\n"
+        for distance, betti in ((0.9, [4, 0, 0]), (1, [1, 1, 0]), (1.4, [1, 1, 0]), (1.5, [1, 0, 0])):
+            report = self.json_of("flow", "-", "--shape", repr(distance), "-o", "s.off", stdin=square)["shape"]
+            self.assertEqual(report["betti_numbers"], betti)
+        right = self.json_of("flow", "-", "--unstable", "1", stdin="0 0\n3 0\n0 4\n")
+        self.assertEqual(right["stationary_regular"], 1)
+        self.assertEqual(right["unstable"]["flagged"], {"passed_regular_point": [0, 1]})
+
+    def test_histograms(self):
+        self.write("c.xyz", text_of(cloud(40, 3)))
+        for words, titles in ((["--stable", "2"], ["nS2"]), (["--unstable", "2"], ["nU2", "nWCC"]),
+                              (["--unstable", "1"], ["Parts of Voronoi edges"]), (["--stable", "3"], ["Voronoi vertices"]),
+                              (["--stable", "2", "--unstable", "2"], ["nS2", "nU2", "nWCC"])):
+            self.run_quoin("flow", "c.xyz", *words, "-o", "h.svg")
+            svg = self.read("h.svg").decode()
+            self.assertEqual(ElementTree.fromstring(svg).tag, "{http://www.w3.org/2000/svg}svg")
+            for title in titles:
+                self.assertIn(title, svg)
+        done = self.run_quoin("flow", "c.xyz", "--stable", "2", "-o", "-", "--format", "svg")
+        self.assertTrue(done.stdout.startswith("<svg"))
+
+    def test_flagged_manifolds_are_listed(self):
+        points = [(-4, 0, 0), (4, 0, 0), (0, 2, 1), (0, 2, -1), (0, -10, 0)]
+        report = self.json_of("flow", "-", "--stable", "2", stdin=text_of(points))["stable"]
+        self.assertEqual((report["with_voronoi_vertex"], report["with_solid_part"]), (1, 1))
+        self.assertEqual(report["flagged"]["with_voronoi_vertex"], report["flagged"]["with_solid_part"])
+        report = self.json_of("flow", "-", "--unstable", "2", stdin=text_of(points))["unstable"]
+        self.assertEqual((report["end_in_saddle"], len(report["flagged"]["end_in_saddle"])), (2, 2))
 
     def test_what_is_written(self):
         self.write("c.xyz", text_of(CUBE))
@@ -124,6 +237,13 @@ class Flow(CommandTest):
             found = {t: sum(1 for kind, _ in cells if kind == t) for t, _ in cells}
             self.assertEqual(found, kinds, words)
             self.assertEqual(len(arrays["number"]), len(cells))
+        self.write("r.xyz", text_of(cloud(60, 3, seed=4)))
+        done = self.run_quoin("flow", "r.xyz", "--unstable", "1", "-o", "s.vtk", "-o", "s.off")
+        self.assertIn("reach to infinity and are not written", done.stderr)
+        _, cells, arrays = read_vtk(self.read("s.vtk").decode())
+        self.assertEqual({t for t, _ in cells}, {7})
+        self.assertEqual((set(arrays["index"]), len(arrays["distance"])), ({1}, len(cells)))
+        self.assertEqual(self.read("s.off").decode().split("\n")[1].split()[1], str(len(cells)))
         done = self.run_quoin("flow", "c.xyz", "--stable", "1", "-o", "c.off")
         self.assertIn("no faces", done.stderr)
 
@@ -152,7 +272,7 @@ class Flow(CommandTest):
 
     def test_mistakes(self):
         self.write("c.xyz", text_of(CUBE))
-        for mistake in (["--stable", "3"], ["--unstable", "1"], ["--shape", "-1"], ["--shape", "nan"], ["--ratio", "0.3"],
+        for mistake in (["--stable", "4"], ["--unstable", "3"], ["--shape", "-1"], ["--shape", "nan"], ["--ratio", "0.3"],
                         ["--simplify", "x"], ["--reconstruct", "--ratio", "2"], ["--reconstruct", "--shape", "1"],
                         ["--stable", "2", "--unstable", "2", "-o", "x.vtk"], ["-o", "x.stl"], ["-o", "x.svg"]):
             self.run_quoin("flow", "c.xyz", *mistake, code=USAGE)

@@ -83,7 +83,7 @@ class Persistence(CommandTest):
 
     def test_exact_values_and_missing_faces(self):
         report = self.json_of("persistence", "-", stdin="1/3 0\n1/2 1\n2/3 0 1\n7 2 3\n")
-        self.assertEqual(report["exact_intervals"], [[["1/3", None], ["0.5", "2/3"], ["7.0", None]], []])
+        self.assertEqual(report["exact_intervals"], [[["1/3", None], ["1/2", "2/3"], ["7", None]], []])
         self.assertEqual(report["intervals"][0][0], [1 / 3, None])
         self.assertIn("2 faces are not listed", report["warnings"][0])
 

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "quoin/base/context.h"
+#include "quoin/flow/flow_regions.h"
+#include "quoin/flow/saddle_sheets.h"
+#include "quoin/io/vtk_grid.h"
+#include "quoin/solid/mesh.h"
+
+namespace quoin::cli {
+
+/// All unstable sheets of saddles of index 1 together, each part once: polygons with shared corners. Voronoi vertices
+/// are exact ones, each coordinate rounded to the nearest double, constructed points good to six digits of the largest
+/// coordinate, so that polygons are flat up to that.
+struct SheetPolygons {
+  std::vector<Point3> points;
+  std::vector<std::uint32_t> corners;  ///< of one polygon after the other
+  std::vector<std::size_t> begin{0};
+  std::vector<std::uint32_t> number;  ///< of each polygon: the first sheet that has it, by its critical edge
+  std::vector<double> distance;       ///< of that edge's midpoint from the points
+  std::size_t unbounded = 0;          ///< pieces that are left out
+};
+SheetPolygons sheet_polygons(const FlowCells& flow, const Context& context);
+
+/// Polygons with `index`, `number` and `distance`.
+VtkGrid grid_of_sheets(const SheetPolygons& sheets);
+Mesh mesh_of_sheets(const SheetPolygons& sheets);
+
+/// Polyhedra: regions of maxima with their walls as faces, and with `index`, `number` (of the maximum), `walls` (how
+/// many saddles), `beside_infinity` and `distance` (of the maximum).
+VtkGrid grid_of_regions(const FlowGraph& graph, const Context& context);
+
+}  // namespace quoin::cli
