@@ -7,6 +7,7 @@
 #include "quoin/cli/cell_outputs.h"
 #include "quoin/cli/memory.h"
 #include "quoin/cli/point_input.h"
+#include "quoin/cli/targets.h"
 #include "quoin/triangulation/delaunay2.h"
 #include "quoin/triangulation/delaunay3.h"
 #include "quoin/triangulation/regular2.h"
@@ -17,21 +18,26 @@ namespace quoin::cli {
 namespace {
 
 constexpr std::size_t poll_step = 4096;
+constexpr std::size_t cells_of_full_layers = 1'000'000;
 
 /// Of a complex of so many simplices of full dimension, with what the command takes and writes. Measured on a million
-/// points in a cube; exact values on fewer.
-std::uint64_t memory_of_cells(std::size_t cells, int dimension, bool is_exact) {
-  std::uint64_t per_cell = dimension == 3 ? 330 : 150;
-  if (is_exact) per_cell += dimension == 3 ? 1500 : 900;
-  return cells * per_cell;
+/// points in a cube; exact values on fewer; pages, whose layers do not grow for ever, on a hundred thousand and more.
+std::uint64_t memory_of_cells(std::size_t cells, int dimension, const Options& options) {
+  std::uint64_t bytes = static_cast<std::uint64_t>(cells) * (dimension == 3 ? 330 : 260);
+  if (writes_exact_cells(options)) bytes += static_cast<std::uint64_t>(cells) * (dimension == 3 ? 1500 : 900);
+  const std::vector<Target> targets = targets_of(options);
+  const bool has_page =
+      std::ranges::any_of(targets, [](const Target& target) { return target.kind == Target::Kind::page; });
+  if (has_page && dimension == 3) bytes += 180 * std::min(cells, cells_of_full_layers) + 60 * cells;
+  if (has_page && dimension != 3) bytes += 150 * cells;
+  return bytes;
 }
 
 /// Reads vertices by what `inputs(label, list)` puts into a list: the points at a vertex, those of its weight.
 template <class Triangulation, class Inputs>
 AlphaPoints take(const Triangulation& triangulation, std::size_t cells, const PointFile& file, const Options& options,
                  const Inputs& inputs, const Context& context) {
-  announce_memory(memory_of_cells(cells, triangulation.dimension(), writes_exact_cells(options)), file.points.size(),
-                  options);
+  announce_memory(memory_of_cells(cells, triangulation.dimension(), options), file.points.size(), options);
   context.progress("alpha complex", 0);
   AlphaPoints result{.alpha = AlphaComplex(triangulation, context)};
   const SimplicialComplex& complex = result.alpha.complex();

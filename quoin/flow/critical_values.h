@@ -27,6 +27,11 @@ class CriticalValues {
   RationalPoint3 centre(CellFacet facet) const;
   RationalPoint3 centre(std::uint32_t cell) const;
 
+  /// The same within 2^-30 of the largest coordinate of their simplex or their own: nine digits, much quicker.
+  Point3 near_midpoint(std::uint32_t cell, unsigned edge) const;
+  Point3 near_centre(CellFacet facet) const;
+  Point3 near_centre(std::uint32_t cell) const;
+
  private:
   Point3 corner(std::uint32_t cell, unsigned slot) const {
     return triangulation_.point(triangulation_.cells()[cell].vertices[slot]);

@@ -124,7 +124,7 @@ SaddleEnd SaddleArcs::end(std::uint32_t cell, const Context& context) {
   return found;
 }
 
-std::optional<ArcLeg> SaddleArcs::way_on(std::uint32_t first, const Context& context) {
+std::optional<ArcLeg> SaddleArcs::way_on(std::uint32_t first, const Context& context, double part) {
   if (end_[first] == unknown) return std::nullopt;
   const Histogram cascades = cascades_;
   const Leg way = leg(first, context);
@@ -134,7 +134,7 @@ std::optional<ArcLeg> SaddleArcs::way_on(std::uint32_t first, const Context& con
   const bool crosses = flow_.way(first).kind == CellWay::Kind::edge;
   const double unscale = flow_.triangulation().unscale();
   for (std::uint32_t i = 1; crosses && i < crosser_.chain().size(); ++i) {
-    const Point3 p = crosser_.chain().near_point(i);
+    const Point3 p = crosser_.chain().near_point(i, part);
     found.points.push_back({p.x * unscale, p.y * unscale, p.z * unscale});
   }
   const std::uint32_t next = way.next & ~has_passed;

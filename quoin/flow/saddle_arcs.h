@@ -29,7 +29,7 @@ struct SaddleEnd {
 
 /// A part of a way, between Voronoi vertices.
 struct ArcLeg {
-  std::vector<Point3> points;         ///< constructed ones, to nine digits of the largest coordinate
+  std::vector<Point3> points;         ///< constructed ones, as CrossingChain::near_point tells them
   std::optional<std::uint32_t> next;  ///< the Delone cell whose centre it leads to, where it does
 };
 
@@ -48,7 +48,7 @@ class SaddleArcs {
 
   /// The way of a Delone cell's centre to the next Voronoi vertex or to the end. Nothing for cells that are on no way
   /// that was asked for, and for those where ways end. @throws Cancelled
-  std::optional<ArcLeg> way_on(std::uint32_t first, const Context& context);
+  std::optional<ArcLeg> way_on(std::uint32_t first, const Context& context, double part = 0x1p-30);
 
   /// Constructed points between consecutive Voronoi vertices, for each vertex from which orbits cross facets.
   const Histogram& cascades() const { return cascades_; }

@@ -31,10 +31,11 @@ void check_layer(const SceneLayer& layer, const LayeredScene& scene) {
   const std::size_t width = static_cast<std::size_t>(layer.kind) + 1;
   const std::size_t count = layer.vertices.size() / width;
   if (count * width != layer.vertices.size()) refuse(what + " ends within an element");
-  require_below(layer.vertices, scene.points.size(), false, what);
+  require_below(layer.vertices, scene.point_count(), false, what);
   require_length(layer.begin.size(), count, what + ": beginnings");
   require_length(layer.end.size(), count, what + ": ends");
   require_length(layer.colors.size(), count, what + ": colours");
+  require_length(layer.owners.size(), count, what + ": owners");
   require_below(layer.begin, scene.values.size(), false, what + ": a beginning");
   require_below(layer.end, scene.values.size(), true, what + ": an end");
   if (!std::isfinite(layer.size) || layer.size < 0) refuse(what + " has a size that is no size");
@@ -47,21 +48,33 @@ void check_values(const std::vector<double>& values) {
   }
 }
 
-void check_pair(const ScenePair& pair, std::size_t values, const std::string& what) {
+void check_points(const std::vector<Point3>& points, std::size_t before) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Point3& p = points[i];
+    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
+      refuse("point " + std::to_string(before + i) + " is not finite");
+  }
+}
+
+void check_pair(const ScenePair& pair, const LayeredScene& scene, const std::string& what) {
+  const std::size_t values = scene.values.size();
   if (pair.birth >= values || (pair.death >= values && pair.death != never_in_scene))
     refuse(what + " is born or dies at a value that there is not");
   if (pair.death <= pair.birth) refuse(what + " dies before it is born");
+  for (const std::uint32_t point : {pair.birth_point, pair.death_point}) {
+    if (point >= scene.point_count() && point != never_in_scene)
+      refuse(what + " is born or dies at a point that there is not");
+  }
 }
 
 }  // namespace
 
 void check_layered_scene(const LayeredScene& scene) {
-  for (std::size_t i = 0; i < scene.points.size(); ++i) {
-    const Point3& p = scene.points[i];
-    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
-      refuse("point " + std::to_string(i) + " is not finite");
-  }
-  require_length(scene.point_numbers.size(), scene.points.size(), "numbers of points");
+  check_points(scene.points, 0);
+  check_points(scene.near_points, scene.points.size());
+  const std::size_t numbers = scene.point_numbers.size();
+  if (numbers < scene.points.size() || numbers > scene.point_count())
+    require_length(numbers, scene.point_count(), "numbers of points");
   check_values(scene.values);
   for (const SceneLayer& layer : scene.layers) check_layer(layer, scene);
   if (scene.value && *scene.value >= scene.values.size()) refuse("the first value is none of the values");
@@ -72,8 +85,7 @@ void check_layered_scene(const LayeredScene& scene) {
                std::to_string(scene.values.size()) + " values");
     }
   }
-  for (std::size_t i = 0; i < scene.pairs.size(); ++i)
-    check_pair(scene.pairs[i], scene.values.size(), "pair " + std::to_string(i));
+  for (std::size_t i = 0; i < scene.pairs.size(); ++i) check_pair(scene.pairs[i], scene, "pair " + std::to_string(i));
 }
 
 }  // namespace quoin

@@ -2,12 +2,11 @@
 #include "quoin/view/layered_page.h"
 
 #include <algorithm>
-#include <numeric>
-#include <random>
 
 #include "quoin/base/error.h"
 #include "quoin/view/base64.h"
 #include "quoin/view/built_templates.h"
+#include "quoin/view/layer_layout.h"
 #include "quoin/view/page.h"
 #include "quoin/view/page_text.h"
 #include "quoin/view/scene_frame.h"
@@ -18,9 +17,9 @@
 //   <script type="text/plain" id="quoin-block-0">BASE64</script> ...
 //
 // Arrays stand in HEADER as {type, length, block}: elements of that type (u8, u16, u32, f32, f64), little-endian, in
-// base64. Points are f64, or f32: those of center + scale * value, which then is exact. A layer has vertices, and where
-// they are not all alike `shown` (how many elements have begun, by value), `ends` (of those for ever the number of
-// values) and `colors` (red, green, blue, opacity).
+// base64. Points are f64, or f32: those of center + scale * value, which then is exact; near points are f32. A layer
+// has vertices, and where they are not all alike `shown` (how many elements have begun, by value), `ends` (of those for
+// ever the number of values), `colors` (red, green, blue, opacity) and `owners`.
 
 namespace quoin {
 
@@ -29,65 +28,6 @@ namespace {
 using page_text::write_json_list;
 using page_text::write_json_string;
 using page_text::write_number;
-
-std::uint32_t begin_of(const SceneLayer& layer, std::uint32_t i) {
-  return layer.begin.empty() ? 0 : layer.begin[i];
-}
-
-/// The elements that are there at some value, by the first of those.
-std::vector<std::uint32_t> order_of(const SceneLayer& layer, std::size_t values) {
-  const std::size_t count = layer.vertices.size() / (static_cast<std::size_t>(layer.kind) + 1);
-  std::vector<std::uint32_t> order;
-  order.reserve(count);
-  for (std::uint32_t i = 0; i < count; ++i) {
-    if (layer.end.empty() || layer.end[i] > begin_of(layer, i)) order.push_back(i);
-  }
-  if (layer.kind == SceneLayer::Kind::points) {
-    std::mt19937_64 random(20);
-    for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random() % i]);
-  }
-  if (layer.begin.empty()) return order;
-  std::vector<std::size_t> place(values + 1, 0);
-  for (const std::uint32_t i : order) ++place[layer.begin[i] + 1];
-  std::partial_sum(place.begin(), place.end(), place.begin());
-  std::vector<std::uint32_t> sorted(order.size());
-  for (const std::uint32_t i : order) sorted[place[layer.begin[i]]++] = i;
-  return sorted;
-}
-
-/// How many elements have begun, by value.
-std::vector<std::uint32_t> shown_of(const SceneLayer& layer, const std::vector<std::uint32_t>& order,
-                                    std::size_t values) {
-  std::vector<std::uint32_t> shown(values, 0);
-  for (const std::uint32_t i : order) ++shown[layer.begin[i]];
-  std::partial_sum(shown.begin(), shown.end(), shown.begin());
-  return shown;
-}
-
-/// What the page holds of a layer.
-struct LaidOut {
-  std::vector<std::uint32_t> vertices;
-  std::vector<std::uint32_t> shown;
-  std::vector<std::uint32_t> ends;
-  std::vector<std::uint32_t> colors;
-};
-
-LaidOut lay_out(const SceneLayer& layer, std::size_t values) {
-  const std::vector<std::uint32_t> order = order_of(layer, values);
-  const std::size_t width = static_cast<std::size_t>(layer.kind) + 1;
-  LaidOut made;
-  for (const std::uint32_t i : order) {
-    const auto first = layer.vertices.begin() + static_cast<std::ptrdiff_t>(width * i);
-    made.vertices.insert(made.vertices.end(), first, first + static_cast<std::ptrdiff_t>(width));
-    // For ever is beyond the last value.
-    if (!layer.end.empty()) made.ends.push_back(std::min(layer.end[i], static_cast<std::uint32_t>(values)));
-    if (layer.colors.empty()) continue;
-    const Color& color = layer.colors[i];
-    made.colors.insert(made.colors.end(), {color.r, color.g, color.b, color.a});
-  }
-  if (!layer.begin.empty()) made.shown = shown_of(layer, order, values);
-  return made;
-}
 
 /// Bytes of each of these numbers.
 int width_of(const std::vector<std::uint32_t>& numbers) {
@@ -99,7 +39,9 @@ class LayeredPage {
  public:
   LayeredPage(std::ostream& out, const LayeredScene& scene) : out_(out), scene_(scene) {
     SceneBounds bounds;
-    for (const Point3& p : scene.points) bounds.include(p);
+    for (const auto* points : {&scene.points, &scene.near_points}) {
+      for (const Point3& p : *points) bounds.include(p);
+    }
     frame_ = bounds.frame();
     is_single_ = frame_.floats_hold(scene.points);
     for (const SceneLayer& layer : scene.layers) layers_.push_back(lay_out(layer, scene.values.size()));
@@ -110,15 +52,18 @@ class LayeredPage {
     write_header();
     out_ << "</script>\n";
     write_points();
+    write_near_points();
     write_unsigned(scene_.point_numbers);
     block(scene_.values.size(), [&](Base64Writer& b, std::size_t i) { b.put(scene_.values[i]); });
     write_pairs();
+    if (pairs_have_points()) write_unsigned(pair_points());
+    if (!scene_.links.empty()) write_links();
     for (const SceneCounts& counts : scene_.counts) {
       for (const SceneCount& row : counts.rows) write_unsigned(row.at);
     }
     for (const LaidOut& layer : layers_) {
       write_unsigned(layer.vertices);
-      for (const auto* numbers : {&layer.shown, &layer.ends, &layer.colors}) {
+      for (const auto* numbers : {&layer.shown, &layer.ends, &layer.colors, &layer.owners}) {
         if (!numbers->empty()) write_unsigned(*numbers);
       }
     }
@@ -166,10 +111,15 @@ class LayeredPage {
     }
     key("pairsLeftOut");
     write_number(out_, scene_.pairs_left_out);
+    key("hasAllValues");
+    out_ << (scene_.has_all_values ? "true" : "false");
     array("points", is_single_ ? "f32" : "f64", 3 * scene_.points.size());
+    if (!scene_.near_points.empty()) array("nearPoints", "f32", 3 * scene_.near_points.size());
     array("pointNumbers", scene_.point_numbers);
     array("values", "f64", scene_.values.size());
     array("pairs", "u32", 3 * scene_.pairs.size());
+    if (pairs_have_points()) array("pairPoints", pair_points());
+    if (!scene_.links.empty()) array("links", "u32", 2 * scene_.links.size());
     key("counts");
     write_json_list(out_, scene_.counts, [&](const SceneCounts& counts) { write_counts(counts); });
     key("layers");
@@ -202,12 +152,15 @@ class LayeredPage {
                     [&](int c) { write_number(out_, c); });
     key("size");
     write_number(out_, layer.size);
+    key("elementName");
+    write_json_string(out_, layer.element_name);
     key("isShown");
     out_ << (layer.is_shown ? "true" : "false");
     array("vertices", arrays.vertices);
     optional_array("shown", arrays.shown);
     optional_array("ends", arrays.ends);
     optional_array("colors", arrays.colors);
+    optional_array("owners", arrays.owners);
     out_ << '}';
   }
 
@@ -242,6 +195,32 @@ class LayeredPage {
         is_single_ ? b.put(frame_.relative(x, axis)) : b.put(x);
       }
     });
+  }
+
+  void write_near_points() {
+    if (scene_.near_points.empty()) return;
+    block(scene_.near_points.size(), [&](Base64Writer& b, std::size_t i) {
+      for (std::size_t axis = 0; axis < 3; ++axis) b.put(frame_.relative(scene_.near_points[i][axis], axis));
+    });
+  }
+
+  void write_links() {
+    block(scene_.links.size(), [&](Base64Writer& b, std::size_t i) {
+      b.put(scene_.links[i].from);
+      b.put(scene_.links[i].to);
+    });
+  }
+
+  bool pairs_have_points() const {
+    return std::ranges::any_of(scene_.pairs, [](const ScenePair& pair) {
+      return std::min(pair.birth_point, pair.death_point) != never_in_scene;
+    });
+  }
+
+  std::vector<std::uint32_t> pair_points() const {
+    std::vector<std::uint32_t> points;
+    for (const ScenePair& pair : scene_.pairs) points.insert(points.end(), {pair.birth_point, pair.death_point});
+    return points;
   }
 
   void write_pairs() {

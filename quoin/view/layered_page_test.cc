@@ -89,6 +89,7 @@ SceneLayer random_layer(std::mt19937& random, std::uint32_t points, std::uint32_
     layer.end = some(random, count, values);
     for (std::uint32_t& end : layer.end) end = random() % 4 == 0 ? never_in_scene : end;
   }
+  if (random() % 2 == 0) layer.owners = some(random, count, 1000);
   if (random() % 2 == 0) {
     for (const std::uint32_t c : some(random, count, 1U << 24))
       layer.colors.push_back({std::uint8_t(c), std::uint8_t(c >> 8), std::uint8_t(c >> 16), 255});
@@ -113,14 +114,15 @@ LayeredScene random_scene(std::mt19937& random) {
   return scene;
 }
 
-/// What is there at a value: vertices and colour of each element.
+/// What is there at a value: vertices, colour and owner of each element.
 using Elements = std::multiset<std::vector<std::uint32_t>>;
 
 void add(Elements& elements, const std::vector<std::uint32_t>& vertices, std::size_t width, std::size_t i,
-         const std::vector<std::uint8_t>& colors) {
+         const std::vector<std::uint8_t>& colors, const std::vector<std::uint32_t>& owners) {
   std::vector<std::uint32_t> element(vertices.begin() + std::ptrdiff_t(width * i),
                                      vertices.begin() + std::ptrdiff_t(width * (i + 1)));
   for (std::size_t k = 0; k < 4 && !colors.empty(); ++k) element.push_back(colors[4 * i + k]);
+  if (!owners.empty()) element.push_back(owners[i]);
   elements.insert(std::move(element));
 }
 
@@ -132,7 +134,7 @@ Elements expected_at(const SceneLayer& layer, std::uint32_t value) {
   for (std::size_t i = 0; width * i < layer.vertices.size(); ++i) {
     if (!layer.begin.empty() && layer.begin[i] > value) continue;
     if (!layer.end.empty() && layer.end[i] <= value) continue;
-    add(elements, layer.vertices, width, i, colors);
+    add(elements, layer.vertices, width, i, colors, layer.owners);
   }
   return elements;
 }
@@ -153,13 +155,14 @@ TEST(LayeredPage, DrawsAtEachValueWhatIsThere) {
       const auto vertices = list("vertices");
       const auto shown = list("shown");
       const auto ends = list("ends");
+      const auto owners = list("owners");
       const auto colors =
           told.contains("colors") ? page.array<std::uint8_t>(told["colors"]) : std::vector<std::uint8_t>();
       for (std::uint32_t value = 0; value < scene.values.size(); ++value) {
         const std::size_t begun = shown.empty() ? vertices.size() / width : shown[value];
         Elements drawn;
         for (std::size_t i = 0; i < begun; ++i) {
-          if (ends.empty() || ends[i] > value) add(drawn, vertices, width, i, colors);
+          if (ends.empty() || ends[i] > value) add(drawn, vertices, width, i, colors, owners);
         }
         ASSERT_EQ(drawn, expected_at(scene.layers[l], value)) << "round " << round << ", layer " << l << ", " << value;
       }
@@ -219,6 +222,32 @@ TEST(LayeredPage, HoldsWhatGoesWithTheValue) {
   EXPECT_FALSE(ReadPage({}).header.contains("value"));
 }
 
+TEST(LayeredPage, TellsNearPointsOwnersAndLinks) {
+  LayeredScene scene = segment();
+  scene.near_points = {{0.1, 0.2, 0.3}, {0.5, 3, 0}};
+  scene.point_numbers = {5, 9, 0};
+  scene.layers[0].vertices = {1, 3};
+  scene.layers[0].owners = {7};
+  scene.layers[0].element_name = "Saddle";
+  scene.links = {{7, 8}, {8, 2}};
+  scene.pairs[1].death_point = 2;
+  scene.has_all_values = false;
+  const ReadPage page(scene);
+  const nlohmann::json& header = page.header;
+  const auto near = page.array<float>(header["nearPoints"]);
+  for (std::size_t i = 0; i < 6; ++i) {
+    const double told = double(header["center"][i % 3]) + double(header["scale"]) * double{near[i]};
+    EXPECT_NEAR(told, scene.near_points[i / 3][i % 3], 1e-6) << i;
+  }
+  EXPECT_EQ(page.array<std::uint32_t>(header["links"]), (std::vector<std::uint32_t>{7, 8, 8, 2}));
+  EXPECT_EQ(page.array<std::uint32_t>(header["pairPoints"]),
+            (std::vector<std::uint32_t>{never_in_scene, never_in_scene, never_in_scene, 2}));
+  EXPECT_EQ(page.array<std::uint32_t>(header["layers"][0]["owners"]), (std::vector<std::uint32_t>{7}));
+  EXPECT_EQ(header["layers"][0]["elementName"], "Saddle");
+  EXPECT_EQ(header["hasAllValues"], false);
+  for (const char* key : {"nearPoints", "links", "pairPoints"}) EXPECT_FALSE(ReadPage(segment()).header.contains(key));
+}
+
 TEST(LayeredPage, ShowsAFairSampleOfPointsFirst) {
   LayeredScene scene;
   SceneLayer layer;
@@ -249,6 +278,15 @@ TEST(LayeredPage, RefusesWhatIsOutOfRange) {
       [](LayeredScene& s) { s.layers[0].end[0] = 4; },
       [](LayeredScene& s) { s.layers[0].end.push_back(0); },
       [](LayeredScene& s) { s.layers[0].colors.push_back({}); },
+      [](LayeredScene& s) {
+        s.layers[0].owners = {1, 2};
+      },
+      [](LayeredScene& s) {
+        s.near_points = {{0, 0, infinity}};
+      },
+      [](LayeredScene& s) { s.point_numbers.push_back(3); },
+      [](LayeredScene& s) { s.pairs[1].birth_point = 2; },
+      [](LayeredScene& s) { s.pairs[1].death_point = 2; },
       [](LayeredScene& s) { s.layers[0].size = -1; },
       [](LayeredScene& s) { s.layers[0].size = infinity; },
       [](LayeredScene& s) { s.value = 4; },

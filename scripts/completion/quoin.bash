@@ -25,7 +25,7 @@ hull minkowski erode decompose gaussian-map distance width homology persistence 
         assembly) formats="json html" ;;
         delaunay) formats="vtk ply obj off qcells html" ;;
         voronoi) formats="vtk ply obj off qcells" ;;
-        flow) formats="vtk ply obj off qcells svg" ;;
+        flow) formats="vtk ply obj off qcells svg html" ;;
         alpha) formats="vtk ply obj off qcells html txt" ;;
         polygon) formats="wkt geojson dxf svg html" ;;
       esac

@@ -3,16 +3,14 @@
 
     check_alpha.py QUOIN
 """
-import base64
 import itertools
-import json
 import math
 import random
-import struct
 from fractions import Fraction
 
 from clouds import CUBE, cloud, read_vtk, text_of
 from command import FILE_TROUBLE, REFUSED, USAGE, CommandTest, main
+from pages import PageTest
 
 
 def exact(points):
@@ -270,22 +268,8 @@ class Graphs(CommandTest):
         self.assertEqual(self.json_of("alpha", "-", "--graph", "gabriel", stdin="1 1\n")["edges"], 0)
 
 
-class Pages(CommandTest):
+class Pages(PageTest):
     """What a page holds; tests of the view look at it."""
-
-    def page(self, *words, stdin):
-        done = self.run_quoin(*words, "-o", "p.html", stdin=stdin, code=None)
-        if "was not built" in done.stderr:
-            self.skipTest("without the view")
-        self.assertEqual(done.returncode, 0, done.stderr)
-        text = self.read("p.html").decode()
-        header = json.loads(text.split('id="quoin-layers">')[1].split("</script>")[0])
-
-        def array(told):
-            data = text.split(f'id="quoin-block-{told["block"]}">')[1].split("</script>")[0]
-            code = {"u8": "B", "u16": "H", "u32": "I", "f32": "f", "f64": "d"}[told["type"]]
-            return struct.unpack(f"<{told['length']}{code}", base64.b64decode(data))
-        return header, array
 
     def test_every_value_has_its_complex(self):
         for points, dimension in ((cloud(40, 3), 3), (cloud(30, 2, grid=6), 2), (CUBE, 3)):

@@ -13,6 +13,7 @@ from fractions import Fraction
 
 from check_points import CUBE, cloud, determinant, read_vtk, text_of
 from command import REFUSED, USAGE, CommandTest, main
+from pages import PageTest
 
 
 def solve(rows, right):
@@ -98,6 +99,148 @@ def volume_of_polyhedron(points, cell):
         at += 4
     assert at == len(cell)
     return six / 6
+
+
+class FlowPage:
+    """What a page of the flow says."""
+
+    def __init__(self, header, array):
+        self.header = header
+        self.values = array(header["values"])
+        self.counts = {c["name"]: [array(r["at"]) for r in c["rows"]] for c in header["counts"]}
+        pairs = array(header["pairs"])
+        self.pairs = list(zip(pairs[0::3], pairs[1::3], pairs[2::3]))
+        links = array(header["links"]) if "links" in header else []
+        self.onward = {}
+        for a, b in zip(links[0::2], links[1::2]):
+            self.onward.setdefault(a, []).append(b)
+        self.layers = {}
+        for layer in header["layers"]:
+            width = {"points": 1, "segments": 2, "triangles": 3}[layer["kind"]]
+            flat = array(layer["vertices"])
+            vertices = [flat[i:i + width] for i in range(0, len(flat), width)]
+            shown = array(layer["shown"]) if "shown" in layer else [len(vertices)] * len(self.values)
+            begin = [next(v for v, n in enumerate(shown) if n > i) for i in range(len(vertices))]
+            owners = array(layer["owners"]) if "owners" in layer else [None] * len(vertices)
+            self.layers[layer["name"]] = list(zip(owners, begin, vertices))
+
+    def begins(self, name):
+        return {owner: begin for owner, begin, _ in self.layers[name]}
+
+    def ends_of_ways(self, saddle):
+        """The owners in which ways from a saddle end."""
+        ends = []
+        for at in self.onward.get(saddle, []):
+            while at in self.onward:
+                self.one(self.onward[at])
+                at = self.onward[at][0]
+            ends.append(at)
+        return ends
+
+    @staticmethod
+    def one(links):
+        assert len(links) == 1, links
+
+
+class Pages(PageTest):
+    def flow_page(self, *words, stdin):
+        return FlowPage(*self.page("flow", "-", *words, stdin=stdin))
+
+    def test_at_every_distance_it_has_the_critical_points_and_the_shape(self):
+        for seed in range(2):
+            points = cloud(11, 3, seed=seed)
+            found = critical_points(points)
+            page = self.flow_page(stdin=text_of(points))
+            squares = sorted({square for _, square in found})
+            self.assertEqual(len(page.values), len(squares))
+            for at, square in enumerate(squares):
+                self.assertAlmostEqual(page.values[at], float(square))
+                self.assertEqual([row[at] for row in page.counts["Critical points"]], counts(found, square))
+                betti = [row[at] for row in page.counts["Betti numbers"]]
+                self.assertEqual(betti[0] - betti[1] + betti[2], sum((-1) ** i for i, s in found if s <= square))
+                for degree in range(3):
+                    self.assertEqual(betti[degree], sum(1 for d, b, e in page.pairs if d == degree and b <= at < e))
+            for name, index in (("Points (index 0)", 0), ("Midpoints (index 1)", 1), ("Saddles (index 2)", 2), ("Maxima (index 3)", 3)):
+                self.assertEqual(sorted(float(s) for i, s in found if i == index),
+                                 sorted(float(squares[begin]) for _, begin, _ in page.layers[name]))
+
+    def test_degenerate_points(self):
+        for points in (CUBE, cloud(60, 3, grid=4), [(x, y, z) for x in range(4) for y in range(4) for z in range(3)]):
+            text = text_of(points)
+            page = self.flow_page(stdin=text)
+            self.assertEqual(sorted(set(page.values)), list(page.values))
+            for at in range(0, len(page.values), 3):
+                # Squares of these are short fractions, their roots not: a distance between this and the next.
+                above = page.values[at + 1] if at + 1 < len(page.values) else page.values[at] + 1
+                distance = math.sqrt((page.values[at] + above) / 2)
+                shape = self.json_of("flow", "-", "--shape", repr(distance), stdin=text)["shape"]
+                self.assertEqual([row[at] for row in page.counts["Critical points"]], shape["critical"])
+                self.assertEqual([row[at] for row in page.counts["Betti numbers"]], shape["betti_numbers"])
+                alive = [sum(1 for d, b, e in page.pairs if d == k and b <= at < e) for k in range(3)]
+                self.assertEqual(alive, shape["betti_numbers"])
+
+    def test_saddles_own_surfaces_and_ways(self):
+        text = text_of(cloud(60, 3, seed=4))
+        report = self.json_of("flow", "-", "--stable", "2", "--unstable", "2", stdin=text)
+        page = self.flow_page("--stable", "2", "--unstable", "2", stdin=text)
+        self.assertNotIn("Edges (stable 1)", page.layers)
+        saddles, maxima = page.begins("Saddles (index 2)"), page.begins("Maxima (index 3)")
+        surfaces = page.layers["Surfaces (stable 2)"]
+        self.assertEqual(len(surfaces), report["stable"]["triangles"])
+        self.assertEqual({owner for owner, _, _ in surfaces}, set(saddles))
+        self.assertTrue(all(begin == saddles[owner] for owner, begin, _ in surfaces))
+        ends = [end for saddle in saddles for end in page.ends_of_ways(saddle)]
+        at_maxima = [end for end in ends if end in maxima]
+        self.assertEqual(2 * len(saddles) - len(at_maxima), report["unstable"]["to_infinity"])
+        for owner, begin, _ in page.layers["Ways (unstable 2)"]:
+            if owner in saddles:
+                self.assertEqual(begin, saddles[owner])
+        for saddle in saddles:
+            self.assertTrue(all(maxima.get(end, len(page.values)) > saddles[saddle] for end in page.ends_of_ways(saddle)))
+        edges = self.flow_page("--stable", "1", stdin=text)
+        self.assertEqual(edges.begins("Edges (stable 1)"), edges.begins("Midpoints (index 1)"))
+        self.assertNotIn("Surfaces (stable 2)", edges.layers)
+
+    def test_voids_are_as_deep_as_simplification_says(self):
+        text = text_of(cloud(80, 3, seed=2))
+        page = self.flow_page(stdin=text)
+        depths = [math.sqrt(page.values[e]) - math.sqrt(page.values[b]) for d, b, e in page.pairs if d == 2]
+        for within in (0, 0.003, 0.02, 0.05):
+            page = self.flow_page("--simplify", repr(within), stdin=text)
+            left = sum(1 for depth in depths if depth > within)
+            self.assertEqual(len(page.layers["Maxima that stay (index 3)"]), left)
+            self.assertEqual(len(page.layers["Maxima that were joined (index 3)"]), len(depths) - left)
+
+    def test_what_is_asked_for(self):
+        text = text_of(torus(20, 9))
+        report = self.json_of("flow", "-", "--reconstruct", stdin=text)["solid"]
+        page = self.flow_page("--reconstruct", stdin=text)
+        self.assertEqual(len(page.layers["Surface of the solid"]), report["triangles"])
+        self.assertEqual(len({owner for owner, _, _ in page.layers["Surface of the solid"]}), report["wall_saddles"])
+        self.assertEqual(len(page.layers["Maxima inside (index 3)"]), report["maxima_inside"])
+        self.assertEqual(page.header["value"], len(page.values) - 1)
+        page = self.flow_page("--shape", "0.4", stdin=text)
+        at = page.header["value"]
+        self.assertTrue(page.values[at] <= 0.4 ** 2 < page.values[at + 1])
+        shape = self.json_of("flow", "-", "--shape", "0.4", stdin=text)["shape"]
+        self.assertEqual([row[at] for row in page.counts["Betti numbers"]], shape["betti_numbers"])
+
+    def test_extremes_and_refusals(self):
+        points = cloud(30, 3, seed=5)
+        expected = self.flow_page(stdin=text_of(points))
+        for factor in (2.0 ** 300, 2.0 ** 900, 2.0 ** -900):
+            page = self.flow_page(stdin=text_of([tuple(c * factor for c in p) for p in points]))
+            self.assertEqual(page.counts, expected.counts)
+            self.assertEqual({name: len(list_) for name, list_ in page.layers.items()},
+                             {name: len(list_) for name, list_ in expected.layers.items()})
+        self.assertIn("one plane", self.run_quoin("flow", "-", "-o", "x.html", stdin="0 0\n1 0\n0 1\n", code=REFUSED).stderr)
+        self.write("c.xyz", text_of(cloud(2000, 3)))
+        self.run_quoin("flow", "c.xyz", "--memory", "4", "-q")
+        done = self.run_quoin("flow", "c.xyz", "--memory", "4", "-o", "x.html", code=REFUSED)
+        self.assertIn("more than --memory", done.stderr)
+        self.run_quoin("alpha", "c.xyz", "--memory", "6", "-q")
+        done = self.run_quoin("alpha", "c.xyz", "--memory", "6", "-o", "x.html", code=REFUSED)
+        self.assertIn("more than --memory", done.stderr)
 
 
 class Flow(CommandTest):
@@ -274,7 +417,8 @@ class Flow(CommandTest):
         self.write("c.xyz", text_of(CUBE))
         for mistake in (["--stable", "4"], ["--unstable", "3"], ["--shape", "-1"], ["--shape", "nan"], ["--ratio", "0.3"],
                         ["--simplify", "x"], ["--reconstruct", "--ratio", "2"], ["--reconstruct", "--shape", "1"],
-                        ["--stable", "2", "--unstable", "2", "-o", "x.vtk"], ["-o", "x.stl"], ["-o", "x.svg"]):
+                        ["--stable", "2", "--unstable", "2", "-o", "x.vtk"],
+                        ["--stable", "2", "--unstable", "2", "-o", "x.html", "-o", "x.vtk"], ["-o", "x.stl"], ["-o", "x.svg"]):
             self.run_quoin("flow", "c.xyz", *mistake, code=USAGE)
         self.assertIn("more than --memory", self.run_quoin("flow", "c.xyz", "--memory", "0.001", code=REFUSED).stderr)
 

@@ -124,6 +124,35 @@ describe("clouds", () => {
     });
   });
 
+  it("show what a point owns alone, and where a class is born and dies", async () => {
+    await look("owned_layers", {}, async (page) => {
+      const drawn = () => page.evaluate(() => Object.values(window.quoinView.drawn()));
+      const click = async (point) => {
+        const at = await page.evaluate((p) => window.quoinView.placeOfPoint(p), point);
+        await page.mouse.click(at.x, at.y);
+      };
+      const rings = (n) => page.waitForFunction((k) => [...document.querySelectorAll(".ring")].filter((ring) => !ring.hidden).length === k, n);
+      assert.deepEqual(await drawn(), [4, 2, 1, 0, 3]);
+      await click(4); // a saddle, and its ways to the maximum
+      assert.deepEqual(await drawn(), [4, 1, 1, 2, 2]);
+      assert.match(await page.locator(".card").innerText(), /Saddle 17[^]*≈ \(1, 2, 0\.1\)[^]*Distance\s*0 to 1[^]*Surfaces\s*2[^]*Ways\s*2/);
+      await picture(page, "owned-saddle");
+      await page.evaluate(() => window.quoinView.setValue(0));
+      assert.deepEqual(await drawn(), [4, 0, 0, 0, 0]);
+      await page.evaluate(() => window.quoinView.setValue(3));
+      await click(7); // the maximum, and all that leads to it
+      assert.deepEqual(await drawn(), [4, 2, 1, 3, 3]);
+      assert.match(await page.locator(".told").innerText(), /Distance at birth\s*2[^]*at death\s*3/);
+      await page.keyboard.press("Escape");
+      assert.deepEqual(await drawn(), [4, 2, 1, 0, 3]);
+      await rings(0);
+      const at = await placeOfPair(page, 1);
+      await page.mouse.click(at.x, at.y);
+      assert.equal(await value(page), 2);
+      await rings(2);
+    });
+  });
+
   it("show a plane from above, without values", async () => {
     await look("flat_layers", {}, async (page) => {
       assert.equal(await page.locator("input[type=range]").count(), 0);

@@ -47,6 +47,50 @@ LayeredScene tetrahedron() {
   return scene;
 }
 
+/// Two saddles (owners 0 and 1) with surfaces that are hidden at first, and ways that join (owner 2) and lead to a
+/// maximum (owner 3).
+LayeredScene owned() {
+  LayeredScene scene;
+  scene.title = "Owned";
+  scene.points = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}};
+  scene.near_points = {{1, 2, 0.1}, {3, 2, 0.1}, {2, 2, 1}, {2, 2, 2}};
+  scene.point_numbers = {0, 1, 2, 3, 17, 18, 0, 5};
+  scene.values = {0, 1, 4, 9};
+  scene.value_name = "Squared";
+  scene.root_name = "Distance";
+  scene.has_all_values = false;
+  const Color green{43, 145, 96, 255};
+  scene.layers = {{.name = "Points", .vertices = {0, 1, 2, 3}},
+                  {.name = "Saddles",
+                   .vertices = {4, 5},
+                   .begin = {1, 2},
+                   .color = green,
+                   .owners = {0, 1},
+                   .element_name = "Saddle"},
+                  {.name = "Maxima",
+                   .vertices = {7},
+                   .begin = {3},
+                   .color = {138, 91, 181, 255},
+                   .owners = {3},
+                   .element_name = "Maximum"},
+                  {.name = "Surfaces",
+                   .kind = Kind::triangles,
+                   .vertices = {0, 4, 3, 4, 1, 0, 1, 2, 5},
+                   .begin = {1, 1, 2},
+                   .color = {120, 186, 150, 120},
+                   .owners = {0, 0, 1},
+                   .is_shown = false},
+                  {.name = "Ways",
+                   .kind = Kind::segments,
+                   .vertices = {4, 6, 5, 6, 6, 7},
+                   .begin = {1, 2, 1},
+                   .owners = {0, 1, 2}}};
+  scene.links = {{0, 2}, {1, 2}, {2, 3}};
+  scene.pairs = {{0, 0}, {.degree = 2, .birth = 2, .death = 3, .birth_point = 5, .death_point = 7}};
+  scene.value = 3;
+  return scene;
+}
+
 /// Points of the plane and a triangle, without values.
 LayeredScene flat() {
   LayeredScene scene;
@@ -98,6 +142,7 @@ void write(const std::string& path, const LayeredScene& scene) {
 
 void write_layers(const std::string& directory) {
   write(directory + "/layers.html", tetrahedron());
+  write(directory + "/owned_layers.html", owned());
   write(directory + "/flat_layers.html", flat());
   write(directory + "/cloud.html", torus(1200, 450));
   write(directory + "/no_layers.html", {});

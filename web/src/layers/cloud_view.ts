@@ -4,6 +4,7 @@ import { Stage, isometric } from "../stage";
 import { el } from "../ui/dom";
 import { DrawnLayer, placesTexture, type CloudUniforms } from "./drawn_layer";
 import type { LayeredData } from "./layered_data";
+import { Owners } from "./owners";
 
 const reach = 9; // pixels
 const slowFrame = 80; // milliseconds; beyond it fewer elements are drawn while the picture moves
@@ -22,10 +23,12 @@ export class CloudView {
   readonly stage: Stage;
   readonly layers: DrawnLayer[];
   readonly isFlat: boolean;
-  private readonly ring = el("div", { class: "ring", hidden: true });
+  private readonly rings: HTMLElement[] = [];
   private readonly shared: CloudUniforms;
   private value = 0;
-  private marked: number | undefined;
+  private marked: number[] = [];
+  private owners: Owners | undefined;
+  private isSelected = false;
   private isHeld = false;
   private isThin = false;
   private lastFrame = 0;
@@ -45,16 +48,15 @@ export class CloudView {
     };
     this.layers = data.layers.map((layer) => new DrawnLayer(layer, this.shared, data.values.length, usualSize(layer.kind, layer.count)));
     for (const layer of this.layers) this.stage.scene.add(layer.object);
-    const box = boxOf(data.relative);
+    const box = boxOf(data.relative.subarray(0, 3 * data.givenCount));
     const size = box.getSize(new THREE.Vector3());
-    this.isFlat = size.z === 0 && data.pointCount > 0;
+    this.isFlat = size.z === 0 && data.givenCount > 0;
     this.stage.ball.set(box.getCenter(new THREE.Vector3()), Math.max(1e-3, size.length() / 2));
     this.stage.corners = [0, 1, 2, 3, 4, 5, 6, 7].map(
       (i) => new THREE.Vector3(i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y, i & 4 ? box.max.z : box.min.z),
     );
     this.stage.setOrthographic(this.isFlat);
     this.stage.onFrame = () => this.afterFrame();
-    this.element.append(this.ring);
     this.stage.controls.addEventListener("start", () => (this.isHeld = true));
     this.stage.controls.addEventListener("end", () => this.rest());
   }
@@ -80,10 +82,29 @@ export class CloudView {
     this.show(this.value);
   }
 
-  /** Marks a point of the data. */
-  mark(point: number | undefined): void {
-    this.marked = point;
+  /** Marks points of the data. */
+  mark(points: number[]): void {
+    this.marked = points;
+    while (this.rings.length < points.length) {
+      this.rings.push(el("div", { class: "ring", hidden: true }));
+      this.element.append(this.rings[this.rings.length - 1]);
+    }
     this.stage.invalidate();
+  }
+
+  /** Whether only what a picked point owns is seen. */
+  get isAlone(): boolean {
+    return this.isSelected;
+  }
+
+  /** What is seen of layers that have owners is what an owner has; undefined: all. */
+  select(owner: number | undefined): void {
+    if (owner === undefined && !this.isSelected) return;
+    this.owners ??= new Owners(this.data);
+    const seen = owner === undefined ? undefined : this.owners.seenWith(owner);
+    this.isSelected = seen !== undefined;
+    for (const layer of this.layers) layer.select(seen);
+    this.show(this.value);
   }
 
   /** The foremost point within a few pixels of one of the window. */
@@ -96,7 +117,7 @@ export class CloudView {
     let best: PickedPoint | undefined;
     let nearest = Infinity;
     this.layers.forEach((drawn, layer) => {
-      if (drawn.layer.kind !== "points" || !drawn.isShown) return;
+      if (drawn.layer.kind !== "points" || !drawn.isSeen) return;
       const { vertices } = drawn.layer;
       const begun = drawn.begunAt(this.value);
       const within = Math.max(reach, drawn.layer.size / 2);
@@ -151,7 +172,7 @@ export class CloudView {
       this.isThin = true;
       this.thin();
     }
-    this.placeRing();
+    this.placeRings();
     for (const run of this.followers) run();
   }
 
@@ -168,7 +189,7 @@ export class CloudView {
     for (const drawn of this.layers) {
       const { kind } = drawn.layer;
       const most = mostWhileMoving[kind];
-      const isDropped = this.isThin && kind !== "points" && drawn.isShown && drawn.countAt(this.value) > most;
+      const isDropped = this.isThin && kind !== "points" && drawn.isSeen && drawn.drawnCount > most;
       isAnyDropped ||= isDropped;
       drawn.limit(!this.isThin ? Infinity : isDropped ? 0 : kind === "points" ? most : Infinity);
     }
@@ -176,12 +197,14 @@ export class CloudView {
     if (isAnyDropped && points) points.limit(mostWhileMoving.points, true);
   }
 
-  private placeRing(): void {
-    const i = this.marked === undefined ? -1 : 3 * this.marked;
+  private placeRings(): void {
     const p = this.data.relative;
-    const at = i < 0 ? undefined : this.stage.project(new THREE.Vector3(p[i], p[i + 1], p[i + 2]));
-    this.ring.hidden = !at;
-    if (at) this.ring.style.cssText = `left:${at.x}px;top:${at.y}px`;
+    this.rings.forEach((ring, k) => {
+      const i = k < this.marked.length ? 3 * this.marked[k] : -1;
+      const at = i < 0 ? undefined : this.stage.project(new THREE.Vector3(p[i], p[i + 1], p[i + 2]));
+      ring.hidden = !at;
+      if (at) ring.style.cssText = `left:${at.x}px;top:${at.y}px`;
+    });
   }
 }
 

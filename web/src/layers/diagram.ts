@@ -32,6 +32,7 @@ export class Diagram {
     private readonly axis: ValueAxis,
     private readonly choose: (value: number) => void,
     private readonly rescaled: () => void,
+    private readonly mark: (points: number[]) => void,
   ) {
     const { pairs, pairsLeftOut } = data;
     const read = (index: number) => this.axis.read(this.data.values[index]);
@@ -59,6 +60,16 @@ export class Diagram {
 
   letGo(): void {
     this.picked = undefined;
+    this.hovered = undefined;
+    this.tell();
+    this.draw();
+  }
+
+  /** The class that is born or dies at a point, if there is one, is picked. */
+  pickAt(point: number): void {
+    const points = this.data.pairs.points;
+    const at = points ? points.indexOf(point) : -1;
+    this.picked = at < 0 ? undefined : at >> 1;
     this.hovered = undefined;
     this.tell();
     this.draw();
@@ -257,6 +268,7 @@ export class Diagram {
     const pair = this.pairAt(event);
     if (pair === undefined) {
       this.letGo();
+      this.mark([]);
       const box = this.canvas.getBoundingClientRect();
       const part = (event.clientX - box.left - margin.left) / this.side.width;
       return this.choose(Math.max(0, this.axis.indexOf(this.axis.at(Math.min(1, Math.max(0, part))))));
@@ -265,7 +277,14 @@ export class Diagram {
     const isAgain = pair === this.picked && this.value === birth[pair] && death[pair] !== never;
     this.picked = pair;
     this.tell();
+    this.mark(this.pointsOf(pair));
     this.choose(isAgain ? death[pair] : birth[pair]);
+  }
+
+  /** Where a class is born and dies. */
+  private pointsOf(pair: number): number[] {
+    const points = this.data.pairs.points;
+    return points ? [...points.subarray(2 * pair, 2 * pair + 2)].filter((point) => point !== never) : [];
   }
 
   private tell(): void {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // One layer on the graphics device: one draw call. What it holds is in textures, which are written once: the number of
 // a vertex names its element. Drawn are the first elements, which have begun; of layers whose elements end, those that
-// have not, by an index that is written when the value changes.
+// have not, by an index that is written when the value changes. Selected elements have an index of their own.
 import * as THREE from "three";
 import type { Unsigned } from "../scene_data";
 import type { Layer } from "./layered_data";
+import type { SeenOwners } from "./owners";
 import { layerFragment, layerVertex } from "./layer_shaders";
 
 const width = 4096;
@@ -57,6 +58,9 @@ export class DrawnLayer {
   private readonly ended: Uint32Array | undefined;
   private readonly index: THREE.BufferAttribute | undefined;
   private drawn = 0;
+  private seenOwners: SeenOwners | undefined;
+  private selected: number[] = [];
+  private selection = new THREE.BufferAttribute(new Uint32Array(1), 1);
 
   constructor(
     readonly layer: Layer,
@@ -115,8 +119,35 @@ export class DrawnLayer {
     return this.layer.shown ? (this.layer.shown[value] ?? 0) : this.layer.count;
   }
 
+  /** How many elements are drawn. */
+  get drawnCount(): number {
+    return this.drawn;
+  }
+
+  get selectedCount(): number {
+    return this.selected.length;
+  }
+
+  /** What is hidden when the page is opened is seen where it is selected. */
+  get isSeen(): boolean {
+    return this.isShown || (this.seenOwners !== undefined && !this.layer.isShown);
+  }
+
+  /** Only elements of these owners are seen from now on, of a layer whose elements have owners; undefined: all. */
+  select(seen: SeenOwners | undefined): void {
+    const { owners, count, kind } = this.layer;
+    if (!owners) return;
+    this.seenOwners = seen;
+    this.selected = [];
+    for (let i = 0; seen && i < count; ++i) if (seen[owners[i]]) this.selected.push(i);
+    const room = cornersDrawn[kind] * this.selected.length;
+    if (room > this.selection.array.length) this.selection = new THREE.BufferAttribute(new Uint32Array(2 * room), 1);
+    this.geometry.setIndex(seen ? this.selection : (this.index ?? null));
+  }
+
   show(value: number): void {
-    if (this.index && this.layer.ends) this.drawn = this.writeIndex(this.index, this.layer.ends, value);
+    if (this.seenOwners) this.drawn = this.writeSelection(value);
+    else if (this.index && this.layer.ends) this.drawn = this.writeIndex(this.index, this.layer.ends, value);
     else this.drawn = this.begunAt(value);
     this.limit(Infinity);
   }
@@ -124,11 +155,25 @@ export class DrawnLayer {
   /** At most so many elements, as while the picture moves; then perhaps of a hidden layer too. */
   limit(most: number, isForced = false): void {
     this.geometry.setDrawRange(0, cornersDrawn[this.layer.kind] * Math.min(most, this.drawn));
-    this.object.visible = (this.isShown || isForced) && this.drawn > 0 && most > 0;
+    this.object.visible = (this.isSeen || isForced) && this.drawn > 0 && most > 0;
   }
 
   isThere(element: number, value: number): boolean {
-    return element < this.begunAt(value) && (this.layer.ends ? this.layer.ends[element] > value : true);
+    const { ends, owners } = this.layer;
+    if (this.seenOwners && owners && !this.seenOwners[owners[element]]) return false;
+    return element < this.begunAt(value) && (ends ? ends[element] > value : true);
+  }
+
+  private writeSelection(value: number): number {
+    const list = this.selection.array as Uint32Array;
+    const corners = cornersDrawn[this.layer.kind];
+    let at = 0;
+    for (const i of this.selected) {
+      if (!this.isThere(i, value)) continue;
+      for (let k = 0; k < corners; ++k) list[at++] = corners * i + k;
+    }
+    this.selection.needsUpdate = true;
+    return at / corners;
   }
 
   /** The elements that are there; returns how many they are. */

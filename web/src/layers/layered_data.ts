@@ -17,6 +17,8 @@ export interface Layer {
   shown: Unsigned | undefined; ///< how many have begun, by value
   ends: Unsigned | undefined; ///< of those for ever the number of values
   colors: Uint8Array | undefined; ///< 4 for each
+  owners: Unsigned | undefined; ///< what each belongs to
+  elementName: string; ///< of a point that is picked
 }
 
 export interface CountRow {
@@ -30,6 +32,7 @@ export interface Pairs {
   degree: Uint32Array;
   birth: Uint32Array;
   death: Uint32Array;
+  points: Uint32Array | undefined; ///< of each pair those at which it is born and dies, or `never`
 }
 
 export interface LayeredData {
@@ -41,23 +44,26 @@ export interface LayeredData {
   rootName: string;
   value: number | undefined;
   values: Float64Array;
+  hasAllValues: boolean; ///< else what begins at a value may have one after the value before
   pointNumbers: Unsigned;
   layers: Layer[];
+  links: Uint32Array; ///< from owner to owner, two for each
   counts: { name: string; rows: CountRow[] }[];
   pairs: Pairs;
   pairsLeftOut: number;
-  pointCount: number;
-  /** The coordinates as they were given, each the same double. */
+  givenCount: number; ///< points; more of them are known in single precision
+  /** The coordinates as they were given, each the same double; of others about. */
   point(index: number): Vec3;
   /** (x - center) / scale of all points, in single precision. */
   relative: Float32Array;
 }
 
-interface LayerHeader extends Omit<Layer, "vertices" | "shown" | "ends" | "colors" | "count"> {
+interface LayerHeader extends Omit<Layer, "vertices" | "shown" | "ends" | "colors" | "owners" | "count"> {
   vertices: ArrayHeader;
   shown?: ArrayHeader;
   ends?: ArrayHeader;
   colors?: ArrayHeader;
+  owners?: ArrayHeader;
 }
 
 interface Header {
@@ -71,7 +77,11 @@ interface Header {
   rootName: string;
   value?: number;
   pairsLeftOut: number;
+  hasAllValues: boolean;
   points: ArrayHeader;
+  nearPoints?: ArrayHeader;
+  pairPoints?: ArrayHeader;
+  links?: ArrayHeader;
   pointNumbers: ArrayHeader;
   values: ArrayHeader;
   pairs: ArrayHeader;
@@ -109,7 +119,9 @@ export function readLayers(): LayeredData {
   const { center, scale } = header;
   const pointNumbers = unsigned(header.pointNumbers) as Unsigned;
   const values = readArray(header.values) as Float64Array;
-  const pairs = pairsOf(unsigned(header.pairs) as Uint32Array);
+  const near = readArray(header.nearPoints) as Float32Array | undefined;
+  const pairs = pairsOf(unsigned(header.pairs) as Uint32Array, unsigned(header.pairPoints));
+  const links = (unsigned(header.links) ?? new Uint32Array()) as Uint32Array;
   const counts = header.counts.map(({ name, rows }) => ({
     name,
     rows: rows.map((row) => ({ name: row.name, at: unsigned(row.at) as Unsigned })),
@@ -121,6 +133,7 @@ export function readLayers(): LayeredData {
     shown: unsigned(layer.shown),
     ends: unsigned(layer.ends),
     colors: readArray(layer.colors) as Uint8Array | undefined,
+    owners: unsigned(layer.owners),
   }));
   return {
     ...header,
@@ -130,17 +143,29 @@ export function readLayers(): LayeredData {
     pairs,
     counts,
     layers,
-    pointCount: raw.length / 3,
+    links,
+    givenCount: raw.length / 3,
     point: (i) => {
-      const p: Vec3 = [raw[3 * i], raw[3 * i + 1], raw[3 * i + 2]];
-      return raw instanceof Float64Array ? p : (p.map((x, k) => center[k] + scale * x) as Vec3);
+      const isGiven = 3 * i < raw.length;
+      const [from, at] = isGiven || !near ? [raw, 3 * i] : [near, 3 * i - raw.length];
+      const p: Vec3 = [from[at], from[at + 1], from[at + 2]];
+      return from instanceof Float64Array ? p : (p.map((x, k) => center[k] + scale * x) as Vec3);
     },
-    relative: raw instanceof Float32Array ? raw : Float32Array.from(raw, (x, i) => (x - center[i % 3]) / scale),
+    relative: relativeOf(raw, near, header),
   };
 }
 
-function pairsOf(triples: Uint32Array): Pairs {
+function relativeOf(raw: Float32Array | Float64Array, near: Float32Array | undefined, { center, scale }: Header): Float32Array {
+  if (raw instanceof Float32Array && !near) return raw;
+  const relative = new Float32Array(raw.length + (near?.length ?? 0));
+  if (raw instanceof Float32Array) relative.set(raw);
+  else for (let i = 0; i < raw.length; ++i) relative[i] = (raw[i] - center[i % 3]) / scale;
+  if (near) relative.set(near, raw.length);
+  return relative;
+}
+
+function pairsOf(triples: Uint32Array, points: Unsigned | undefined): Pairs {
   const count = triples.length / 3;
   const column = (k: number) => Uint32Array.from({ length: count }, (_, i) => triples[3 * i + k]);
-  return { count, degree: column(0), birth: column(1), death: column(2) };
+  return { count, degree: column(0), birth: column(1), death: column(2), points: points && Uint32Array.from(points) };
 }

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 import * as THREE from "three";
 import type { PageHook } from "../cells/start";
-import { count, point } from "../format";
+import { count } from "../format";
 import { cssColor } from "../palette";
 import { isometric } from "../stage";
 import { Theme } from "../theme";
 import { el, icon, rows } from "../ui/dom";
 import { Gizmo } from "../ui/gizmo";
 import { icons } from "../ui/icons";
-import { CloudView } from "./cloud_view";
+import { CloudView, type PickedPoint } from "./cloud_view";
 import { Diagram } from "./diagram";
 import { never, type LayeredData } from "./layered_data";
+import { PointCard } from "./point_card";
 import { ValueAxis } from "./value_axis";
 import { ValueControls } from "./value_controls";
 
@@ -26,6 +27,8 @@ export interface LayersHook extends PageHook {
   placeOfPoint(point: number): { x: number; y: number } | undefined;
   placeOfPair(pair: number): { x: number; y: number };
   pick(x: number, y: number): number | undefined;
+  /** How many elements of each layer are drawn. */
+  drawn(): Record<string, number>;
   frameTime(frames: number): number;
   movingFrameTime(frames: number): number;
 }
@@ -40,7 +43,7 @@ export class LayersPage {
   private readonly controls: ValueControls | undefined;
   private readonly diagram: Diagram | undefined;
   private readonly side = el("aside", { class: "side glass", "aria-label": "Facts" });
-  private readonly card = el("div", { class: "card glass picked", hidden: true, "aria-live": "polite" });
+  private readonly card: PointCard;
   private readonly numbers: { cell: HTMLElement; at: (value: number) => number }[] = [];
   private value = 0;
 
@@ -52,11 +55,15 @@ export class LayersPage {
     host.append(frame);
     this.view = new CloudView(data, frame);
     this.axis = new ValueAxis(data);
-    const said = data.pointCount > 0 ? count(data.pointCount, "point") : "There is nothing to show: there are no points.";
+    const said = data.givenCount > 0 ? count(data.givenCount, "point") : "There is nothing to show: there are no points.";
     frame.append(el("div", { class: "heading" }, el("h1", {}, data.title || "Quoin"), el("p", {}, said)));
     if (!this.view.isFlat) frame.append(this.gizmo());
-    frame.append(this.card, this.side);
-    if (data.pairs.count > 0) this.diagram = new Diagram(data, this.axis, (value) => this.choose(value), () => this.show(this.value));
+    this.card = new PointCard(data, this.axis, this.view, () => this.letGo());
+    frame.append(this.card.element, this.side);
+    if (data.pairs.count > 0) {
+      const mark = (points: number[]) => this.lookAt(undefined, points);
+      this.diagram = new Diagram(data, this.axis, (value) => this.choose(value), () => this.show(this.value), mark);
+    }
     if (data.values.length > 1) {
       this.controls = new ValueControls(data, this.axis, (value) => this.show(value));
       frame.append(el("div", { class: "below" }, this.controls.element));
@@ -88,6 +95,7 @@ export class LayersPage {
       },
       placeOfPair: (pair) => this.diagram?.placeOf(pair) ?? { x: 0, y: 0 },
       pick: (x, y) => this.view.pointAt(x, y)?.point,
+      drawn: () => Object.fromEntries(this.view.layers.map((drawn) => [drawn.layer.name, drawn.isSeen ? drawn.drawnCount : 0])),
       frameTime: (frames) => this.view.frameTime(frames),
       movingFrameTime: (frames) => this.view.movingFrameTime(frames),
     };
@@ -191,22 +199,21 @@ export class LayersPage {
 
   private pick(x: number, y: number): void {
     const picked = this.view.pointAt(x, y);
-    this.view.mark(picked?.point);
-    this.card.hidden = !picked;
-    if (!picked) return;
-    const { pointNumbers, layers } = this.data;
-    const number = pointNumbers.length > 0 ? pointNumbers[picked.point] : picked.point;
-    const layer = layers[picked.layer].name;
-    const close = el("button", { type: "button", "aria-label": "Close", onclick: () => this.letGo() }, icon(icons.close));
-    this.card.replaceChildren(
-      el("header", {}, el("h2", {}, `Point ${digits(number)}`), el("span", { class: "of" }, layer === "Points" ? "" : layer), close),
-      el("code", {}, point(this.data.point(picked.point), true)),
-    );
+    if (!picked) return this.letGo();
+    this.lookAt(picked, [picked.point]);
+    this.diagram?.pickAt(picked.point);
+  }
+
+  /** At a picked point, alone with what is its own, or at others, which are marked. */
+  private lookAt(picked: PickedPoint | undefined, marked: number[]): void {
+    this.view.select(picked && this.data.layers[picked.layer].owners?.[picked.element]);
+    this.view.mark(marked);
+    if (picked) this.card.show(picked);
+    else this.card.hide();
   }
 
   private letGo(): void {
-    this.card.hidden = true;
-    this.view.mark(undefined);
+    this.lookAt(undefined, []);
     this.diagram?.letGo();
   }
 
