@@ -56,10 +56,11 @@ template <class T>
 using LargeVector = std::vector<T, LargeAllocator<T>>;
 
 /// The same, but elements that are made without a value have none, so that the threads that fill them touch the memory
-/// first. For trivial types.
+/// first. For types that may be copied as bytes.
 template <class T>
 class UnsetAllocator : public LargeAllocator<T> {
-  static_assert(std::is_trivially_default_constructible_v<T>);
+  // Such objects begin with their memory (implicit lifetime).
+  static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
 
  public:
   using value_type = T;
@@ -72,9 +73,7 @@ class UnsetAllocator : public LargeAllocator<T> {
   UnsetAllocator(const UnsetAllocator<U>&) {}  // NOLINT(google-explicit-constructor)
 
   template <class U>
-  void construct(U* place) {
-    ::new (static_cast<void*>(place)) U;
-  }
+  void construct(U* /*place*/) {}
   template <class U, class... Values>
   void construct(U* place, Values&&... values) {
     ::new (static_cast<void*>(place)) U(std::forward<Values>(values)...);

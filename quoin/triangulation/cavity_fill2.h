@@ -18,8 +18,7 @@ namespace quoin::detail {
 template <class Predicates>
 class CavityFill2 {
  public:
-  CavityFill2(const Predicates& predicates, LargeVector<TriangleLinks2>& triangles, std::uint32_t infinite,
-              const Context& context)
+  CavityFill2(const Predicates& predicates, TriangleArray2& triangles, std::uint32_t infinite, const Context& context)
       : predicates_(predicates), context_(context), triangles_(triangles), infinite_(infinite) {}
 
   /// `ids` are places for new triangles, `outer` the edges about the cavity as seen from outside.
@@ -108,7 +107,7 @@ class CavityFill2 {
 
   const Predicates& predicates_;
   const Context& context_;
-  LargeVector<TriangleLinks2>& triangles_;
+  TriangleArray2& triangles_;
   std::uint32_t infinite_;
   std::size_t compared_ = 0;
   std::span<const std::uint32_t> ids_;

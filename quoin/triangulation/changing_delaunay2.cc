@@ -33,18 +33,13 @@ void make_room(List& list) {
   if (list.size() == list.capacity()) list.reserve(2 * list.size() + 1);
 }
 
-// Lends the triangles to an insertion and takes them back whatever happens: where it fails, it has linked none of those
-// that it added.
-template <class Use>
-auto lend(LargeVector<TriangleLinks2>& triangles, Insertion& insertion, std::uint32_t near, const Use& use) {
+// Inserts a vertex, with places for its triangles at the end of the array, which is as it was where that fails.
+void insert_vertex(Insertion& insertion, TriangleArray2& triangles, std::uint32_t v) {
   const std::size_t count = triangles.size();
-  insertion.adopt(std::move(triangles), near);
+  triangles.resize(count + 2);
   try {
-    const auto result = use();
-    triangles = insertion.release();
-    return result;
+    insertion.insert(v, static_cast<std::uint32_t>(count), detail::WholePlane());
   } catch (...) {
-    triangles = insertion.release();
     triangles.resize(count);
     throw;
   }
@@ -88,9 +83,11 @@ Vertex2 ChangingDelaunay2::insert(const Point2& given, const Context& context) {
 }
 
 Vertex2 ChangingDelaunay2::insert_in_plane(const Point2& p, const Context& context) {
+  context.poll();
   DelaunayPredicates2 predicates(points_, infinite_vertex());
-  Insertion insertion(predicates, infinite, context);
-  const std::uint32_t at = lend(triangles_, insertion, nearby_triangle(p), [&] { return insertion.find(p); });
+  Insertion insertion(predicates, triangles_, infinite);
+  insertion.begin_at(nearby_triangle(p));
+  const std::uint32_t at = insertion.find(p, detail::WholePlane());
   for (const std::uint32_t corner : triangles_[at].corner) {
     if (corner == infinite || points_[corner] != p) continue;
     ++multiplicity_[corner];
@@ -99,9 +96,9 @@ Vertex2 ChangingDelaunay2::insert_in_plane(const Point2& p, const Context& conte
   const Vertex2 v = add_vertex(p);
   predicates = DelaunayPredicates2(points_, infinite_vertex());
   try {
-    for (const std::uint32_t t : lend(triangles_, insertion, at, [&] { return insertion.insert(v.value); })) {
-      update_star(t);
-    }
+    insertion.begin_at(at);
+    insert_vertex(insertion, triangles_, v.value);
+    for (const std::uint32_t t : insertion.star()) update_star(t);
   } catch (...) {
     take_back(v);
     throw;
@@ -163,10 +160,14 @@ void ChangingDelaunay2::leave_line(Vertex2 apex, const Context& context) {
   std::array<std::uint32_t, 3> corners{line_[0].value, line_[1].value, apex.value};
   if (orientation(point(line_[0]), point(line_[1]), point(apex)) == Sign::negative) std::swap(corners[0], corners[1]);
   const DelaunayPredicates2 predicates(points_, infinite_vertex());
-  Insertion insertion(predicates, infinite, context);
+  TriangleArray2 triangles(4);
+  Insertion insertion(predicates, triangles, infinite);
   insertion.start(corners);
-  for (std::size_t i = 2; i < line_.size(); ++i) insertion.insert(line_[i].value);
-  triangles_ = insertion.release();
+  for (std::size_t i = 2; i < line_.size(); ++i) {
+    if (i % poll_step == 2) context.poll();
+    insert_vertex(insertion, triangles, line_[i].value);
+  }
+  triangles_ = std::move(triangles);
   for (std::uint32_t t = 0; t < triangles_.size(); ++t) update_star(t);
   line_.clear();
   dimension_ = 2;

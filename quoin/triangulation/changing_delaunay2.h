@@ -71,7 +71,7 @@ class ChangingDelaunay2 {
   LargeVector<Point2> points_;
   std::vector<std::uint32_t> multiplicity_;
   std::vector<std::uint32_t> free_;
-  LargeVector<TriangleLinks2> triangles_;
+  TriangleArray2 triangles_;
   std::vector<std::uint32_t> star_;
   std::vector<Vertex2> line_;
   std::size_t count_ = 0;

@@ -10,7 +10,7 @@
 #include "quoin/base/error.h"
 #include "quoin/kernel/predicates2.h"
 #include "quoin/triangulation/constructed_predicates2.h"
-#include "quoin/triangulation/insertion2.h"
+#include "quoin/triangulation/insertion_rounds2.h"
 #include "quoin/triangulation/segment_insertion2.h"
 
 namespace quoin {
@@ -44,7 +44,7 @@ ConstrainedDelaunay2::ConstrainedDelaunay2(std::span<const Point2> points, std::
   require_edge_codes(count);
   dimension_ = 2;
   const ConstructedPredicates2 predicates(pieces_.table);
-  auto triangles = detail::Insertion2<ConstructedPredicates2>(predicates, count, context).run(*start);
+  TriangleArray2 triangles = detail::insert_in_rounds(predicates, count, *start, InsertionSplit::none(), context);
   detail::SegmentInsertion2<ConstructedPredicates2> insertion(predicates, triangles, count, context);
   for (std::size_t i = 0; i < pieces_.pieces.size(); ++i) {
     if (i % 64 == 0) context.poll();

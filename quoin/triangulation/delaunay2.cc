@@ -7,7 +7,7 @@
 
 #include "quoin/kernel/predicates2.h"
 #include "quoin/triangulation/delaunay_predicates2.h"
-#include "quoin/triangulation/insertion2.h"
+#include "quoin/triangulation/insertion_rounds2.h"
 
 namespace quoin {
 
@@ -38,8 +38,9 @@ Delaunay2::Delaunay2(std::span<const Point2> points, const Delaunay2Options& opt
     return;
   }
   dimension_ = 2;
-  const DelaunayPredicates2 predicates(order_.points);
-  links_ = Triangulation2(detail::Insertion2<DelaunayPredicates2>(predicates, count, context).run(*start), count);
+  const DelaunayPredicates2 predicates(order_.points, context);
+  const InsertionSplit split = InsertionSplit::in_plane(count);
+  links_ = Triangulation2(detail::insert_in_rounds(predicates, count, *start, split, context), count, context);
   if (options.canonical) links_.renumber();
 }
 

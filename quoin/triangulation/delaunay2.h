@@ -31,7 +31,7 @@ struct Delaunay2Options {
 class Delaunay2 {
  public:
   /// O(n log n) expected, O(n) after sorting for points that are spread evenly; at most 75 bytes per point beyond the
-  /// input from about a million on.
+  /// input from about a million on. On all threads from some ten thousand on, with the same bytes as on one.
   /// @throws InputError  a point is not finite (the first is named), or there are more than 2^29
   /// @throws Cancelled   through `context`
   explicit Delaunay2(std::span<const Point2> points, const Delaunay2Options& options = {},

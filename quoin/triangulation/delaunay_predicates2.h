@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 
+#include "quoin/base/context.h"
 #include "quoin/base/sign.h"
 #include "quoin/kernel/point.h"
 #include "quoin/kernel/predicates2.h"
@@ -21,7 +22,7 @@ bool is_in_circle_by_tie(const Point2& a, const Point2& b, const Point2& c, cons
 
 /// The largest unit 2^k of which all coordinates are multiples, if it is of use to predicates: at most 2^40 times are
 /// the largest, and fourth powers of it are doubles. O(n), less if there is none.
-std::optional<int> grid_unit(std::span<const Point2> points);
+std::optional<int> grid_unit(std::span<const Point2> points, const Context& context);
 
 /// What the insertion asks about points of a Delaunay triangulation: turns, and whether a point is in the circle of a
 /// triangle.
@@ -39,7 +40,7 @@ class DelaunayPredicates2 {
   using Query = Point2;
 
   /// Point views stay the caller's; `points` ends with the infinite one. O(n), less if no grid is found.
-  explicit DelaunayPredicates2(std::span<const Point2> points);
+  DelaunayPredicates2(std::span<const Point2> points, const Context& context);
   /// The same with another infinite vertex, without a search for a grid. O(1).
   DelaunayPredicates2(std::span<const Point2> points, Vertex2 infinite) : points_(points), infinite_(infinite.value) {}
 

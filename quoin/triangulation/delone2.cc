@@ -15,7 +15,7 @@ constexpr std::uint32_t poll_step = 256;
 class Merger {
  public:
   Merger(const Delaunay2& delaunay, const Context& context)
-      : links_(delaunay.links()), predicates_(delaunay.points()), context_(context) {}
+      : links_(delaunay.links()), predicates_(delaunay.points(), context), context_(context) {}
 
   // The cell of each triangle, in the order of their first triangles, and these.
   void run(std::vector<DeloneCell2>& cell_of, std::vector<Triangle2>& first) {

@@ -9,29 +9,10 @@
 
 #include "quoin/base/context.h"
 #include "quoin/triangulation/insertion_round.h"
+#include "quoin/triangulation/insertion_split.h"
 #include "quoin/triangulation/region_insertion.h"
 
 namespace quoin {
-
-/// Into how many regions points are divided, each with at least so many points of a round; late ones, from a quarter of
-/// that on. More threads than regions are of no use; more regions make more points late.
-struct InsertionSplit {
-  std::size_t regions = 2;
-  std::size_t least_points = 16384;
-
-  /// By the number of points alone, so that results do not depend on threads.
-  static InsertionSplit of(std::size_t count) {
-    InsertionSplit split;
-    if (count >= 4'000'000) split.regions = 4;
-    return split;
-  }
-  /// One point after the other: the quickest on one thread, where the order of cells is not asked for.
-  static InsertionSplit none() {
-    InsertionSplit split;
-    split.regions = 1;
-    return split;
-  }
-};
 
 /// Triangulates vertices 0 to count - 1, and those of the simplex, which are four that are not coplanar; one of these
 /// may be the vertex `count`. Calls `when_hidden` with vertices that are none of the triangulation, now or any more.

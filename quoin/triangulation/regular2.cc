@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "quoin/base/error.h"
-#include "quoin/triangulation/insertion2.h"
+#include "quoin/triangulation/insertion_rounds2.h"
 #include "quoin/triangulation/spatial_order2.h"
 
 namespace quoin {
@@ -63,13 +63,13 @@ Regular2::Regular2(std::span<const WeightedPoint2> points, const Context& contex
   const auto turn = [&](std::uint32_t i) { return orientation(all[0].point, all[1].point, all[i].point); };
   const auto start = detail::first_triangle(count, turn, context);
   std::vector<std::uint32_t> on_line;
-  LargeVector<TriangleLinks2> triangles;
+  TriangleArray2 triangles;
   std::vector<std::uint32_t> vertex(count + 1, none);
   if (start) {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     all.push_back({{nan, nan}, nan});
     const RegularPredicates2 predicates(all);
-    triangles = detail::Insertion2<RegularPredicates2>(predicates, count, context).run(*start);
+    triangles = detail::insert_in_rounds(predicates, count, *start, InsertionSplit::in_plane(count), context);
     for (const TriangleLinks2& t : triangles) {
       for (const std::uint32_t v : t.corner) vertex[v] = 0;
     }
@@ -97,7 +97,7 @@ Regular2::Regular2(std::span<const WeightedPoint2> points, const Context& contex
   }
   for (const std::uint32_t v : on_line) line_.emplace_back(std::size_t{vertex[v]});
   dimension_ = start ? 2 : std::min<int>(static_cast<int>(line_.size()), 2) - 1;
-  links_ = Triangulation2(std::move(triangles), vertices_.size());
+  links_ = Triangulation2(std::move(triangles), vertices_.size(), context);
 }
 
 }  // namespace quoin

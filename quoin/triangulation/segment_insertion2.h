@@ -22,7 +22,7 @@ namespace quoin::detail {
 template <class Predicates>
 class SegmentInsertion2 {
  public:
-  SegmentInsertion2(const Predicates& predicates, LargeVector<TriangleLinks2>& triangles, std::size_t vertex_count,
+  SegmentInsertion2(const Predicates& predicates, TriangleArray2& triangles, std::size_t vertex_count,
                     const Context& context)
       : predicates_(predicates),
         context_(context),
@@ -120,7 +120,7 @@ class SegmentInsertion2 {
 
   const Predicates& predicates_;
   const Context& context_;
-  LargeVector<TriangleLinks2>& triangles_;
+  TriangleArray2& triangles_;
   std::uint32_t infinite_;
   std::vector<std::uint32_t> star_;
   std::vector<std::uint8_t> is_removed_;

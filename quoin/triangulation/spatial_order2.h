@@ -13,8 +13,8 @@ namespace quoin {
 
 /// The distinct points of a list along a curve that stays local, and where each is in the list.
 struct SpatialOrder2 {
-  LargeVector<Point2> points;              ///< distinct, zeros are +0
-  LargeVector<std::uint32_t> inputs;       ///< indices into the list, ascending for equal points
+  UnsetVector<Point2> points;              ///< distinct, zeros are +0
+  UnsetVector<std::uint32_t> inputs;       ///< indices into the list, ascending for equal points
   LargeVector<std::uint32_t> input_begin;  ///< per point and one more; empty while all points are distinct
 
   std::span<const std::uint32_t> inputs_of(std::size_t i) const {
@@ -26,6 +26,7 @@ struct SpatialOrder2 {
 /// Sorts along Hilbert's curve on 2^16 x 2^16 cells of the box of the points; cells with many points are sorted by the
 /// cells of their own boxes, those with few lexicographically. The order of the distinct points is a function of their
 /// set. O(n) with equal keys rare, O(n log n) otherwise, whatever the coordinates; 24 bytes per point beyond the input.
+/// Passes on all threads; the result does not depend on them.
 /// @throws InputError  names the first point that is not finite
 SpatialOrder2 spatial_order(std::span<const Point2> points, const Context& context);
 

@@ -28,7 +28,7 @@ std::array<T, 3> turned(const std::array<T, 3>& a, unsigned first) {
 }
 
 // Slots turn with the corners of the neighbour, so they are known for all before any corner turns.
-void turn_smallest_first(LargeVector<TriangleLinks2>& triangles) {
+void turn_smallest_first(TriangleArray2& triangles) {
   LargeVector<std::uint8_t> first(triangles.size());
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     first[t] = static_cast<std::uint8_t>(smallest_slot(triangles[t]));
@@ -46,7 +46,7 @@ void turn_smallest_first(LargeVector<TriangleLinks2>& triangles) {
 
 // The new number of each triangle in the order of their corners, the smallest of which are first in each. There are two
 // triangles for each smallest corner on average.
-LargeVector<std::uint32_t> canonical_numbers(const LargeVector<TriangleLinks2>& triangles, std::size_t vertex_count) {
+LargeVector<std::uint32_t> canonical_numbers(const TriangleArray2& triangles, std::size_t vertex_count) {
   LargeVector<std::uint32_t> begin(vertex_count + 2, 0);
   for (const TriangleLinks2& t : triangles) ++begin[t.corner[0] + 1];
   for (std::size_t v = 0; v <= vertex_count; ++v) begin[v + 1] += begin[v];
@@ -69,14 +69,15 @@ LargeVector<std::uint32_t> canonical_numbers(const LargeVector<TriangleLinks2>& 
 
 }  // namespace
 
-Triangulation2::Triangulation2(LargeVector<TriangleLinks2> triangles, std::size_t vertex_count)
+Triangulation2::Triangulation2(TriangleArray2 triangles, std::size_t vertex_count, const Context& context)
     : triangles_(std::move(triangles)), vertex_count_(vertex_count) {
-  index_edges();
+  index_edges(context);
 }
 
-void Triangulation2::index_edges() {
+void Triangulation2::index_edges(const Context& context) {
   edge_from_.assign(vertex_count_ + 1, Vertex2::none_value);
   for (std::uint32_t t = static_cast<std::uint32_t>(triangles_.size()); t-- > 0;) {
+    if (t % (1 << 20) == 0) context.poll();
     for (unsigned slot = 0; slot < 3; ++slot) {
       edge_from_[triangles_[t].corner[slot]] = Edge2(Triangle2(t), previous_slot(slot)).code;
     }
@@ -103,7 +104,7 @@ void Triangulation2::renumber() {
       std::swap(number[i], number[to]);
     }
   }
-  index_edges();
+  index_edges(Context({.threads = 1}));
 }
 
 const char* Triangulation2::defect() const {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 
+#include "quoin/base/context.h"
 #include "quoin/base/id.h"
 #include "quoin/base/large_vector.h"
 
@@ -43,6 +44,8 @@ struct TriangleLinks2 {
   std::array<std::uint32_t, 3> across;  ///< codes of Edge2
 };
 
+using TriangleArray2 = UnsetVector<TriangleLinks2>;
+
 /// Edges have codes of 32 bits, four for each triangle, and there are two triangles for each vertex.
 /// @throws InputError  for more than 2^29 vertices
 void require_edge_codes(std::size_t vertices);
@@ -52,7 +55,7 @@ void require_edge_codes(std::size_t vertices);
 class Triangulation2 {
  public:
   Triangulation2() = default;
-  Triangulation2(LargeVector<TriangleLinks2> triangles, std::size_t vertex_count);
+  Triangulation2(TriangleArray2 triangles, std::size_t vertex_count, const Context& context = Context({.threads = 1}));
 
   /// Finite vertices.
   std::size_t vertex_count() const { return vertex_count_; }
@@ -105,9 +108,9 @@ class Triangulation2 {
   const char* defect() const;
 
  private:
-  void index_edges();
+  void index_edges(const Context& context);
 
-  LargeVector<TriangleLinks2> triangles_;
+  TriangleArray2 triangles_;
   LargeVector<std::uint32_t> edge_from_;
   std::size_t vertex_count_ = 0;
 };
