@@ -178,7 +178,13 @@ void run_shape(const AlphaPoints& points, const PointFile& file, const std::opti
   write_cells({.grid = [&] { return grid_of_shape(points, intervals, choice.grades, file, context); },
                .mesh = [&] { return mesh_of_shape(points, intervals, choice.grades, file, context); },
                .cells = [&] { return exact_cells_of_shape(points, choice.grades, file, context); },
-               .text = [&](std::ostream& out) { write_filtration(out, points, choice.grades, options.exact, context); },
+               .text =
+                   [&](std::ostream& out) {
+                     const std::size_t merged = write_filtration(out, points, choice.grades, options.exact, context);
+                     if (merged == 0) return;
+                     warnings.push_back(std::to_string(merged) +
+                                        " values are the same doubles as the ones before: '--exact' keeps them apart");
+                   },
                .page = [&] { return page_of(points, intervals, choice, file, context); }},
               options, warnings, context);
 }
@@ -240,6 +246,7 @@ int run_alpha(const Options& options, const Context& context) {
   std::string intervals;
   if (options.persistence) {
     const PersistenceDiagram diagram = run_persistence_of(points.alpha, report, options, context);
+    if (const std::string lost = diagram.lost_by_rounding(); !lost.empty()) warnings.push_back(lost);
     if (!options.json && !options.quiet) intervals = diagram.text(options.verbose);
   } else if (options.graph.empty()) {
     run_shape(points, file, value, report, warnings, options, context);

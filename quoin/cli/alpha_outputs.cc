@@ -189,22 +189,28 @@ CellMesh mesh_of_shape(const AlphaPoints& points, const AlphaIntervals& interval
   return made;
 }
 
-void write_filtration(std::ostream& out, const AlphaPoints& points, std::uint32_t grades, bool is_exact,
-                      const Context& context) {
+std::size_t write_filtration(std::ostream& out, const AlphaPoints& points, std::uint32_t grades, bool is_exact,
+                             const Context& context) {
   const AlphaComplex& alpha = points.alpha;
   TextLines lines(out, context);
   lines.text("# value, then the numbers of points, from 0").end();
   std::string value;
   std::uint32_t last = none;
+  std::size_t merged = 0;
   for (const SimplexId s : alpha.order(context)) {
     const std::uint32_t grade = alpha.grade_of(s);
     if (grade >= grades) break;
-    if (grade != last) value = is_exact ? alpha.exact_value(grade).to_string() : decimal_of(alpha.value(grade));
+    if (grade != last) {
+      std::string next = is_exact ? alpha.exact_value(grade).to_string() : decimal_of(alpha.value(grade));
+      merged += next == value ? 1 : 0;
+      value = std::move(next);
+    }
     last = grade;
     lines.text(value);
     for (const std::uint32_t v : alpha.complex().vertices(s)) lines.text(" ").number(points.first_input[v]);
     lines.end();
   }
+  return merged;
 }
 
 std::vector<double> lengths_of(const AlphaPoints& points, const VertexPairs& edges) {

@@ -22,10 +22,10 @@ CellMesh mesh_of_shape(const AlphaPoints& points, const AlphaIntervals& interval
                        const PointFile& file, const Context& context);
 
 /// A line for each simplex of that complex: its value, the nearest double or exactly, and the numbers of its points; by
-/// value, dimension and vertices.
+/// value, dimension and vertices. Returns how many values are written as the ones before them.
 /// @throws InputError  a value is beyond the largest double
-void write_filtration(std::ostream& out, const AlphaPoints& points, std::uint32_t grades, bool is_exact,
-                      const Context& context);
+std::size_t write_filtration(std::ostream& out, const AlphaPoints& points, std::uint32_t grades, bool is_exact,
+                             const Context& context);
 
 /// Edges with their lengths; all vertices.
 VtkGrid grid_of_graph(const AlphaPoints& points, const VertexPairs& edges, const PointFile& file);

@@ -33,7 +33,8 @@ nlohmann::ordered_json as_json(const Failure& failure) {
 void print_failure(const Failure& failure, const Options& options) {
   using Handler = nlohmann::ordered_json::error_handler_t;
   if (options.json) report_stream(options) << as_json(failure).dump(2, ' ', false, Handler::replace) << "\n";
-  if (!options.json || !data_goes_to_standard_output(options)) note_stream() << "quoin: " << failure.message << "\n";
+  if (!options.json || !data_goes_to_standard_output(options))
+    note_stream() << "quoin: " << printable(failure.message) << "\n";
 }
 
 }  // namespace quoin::cli

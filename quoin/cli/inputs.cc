@@ -160,7 +160,7 @@ std::string ending_of(const std::string& name) {
 
 void print_warnings(const std::vector<std::string>& warnings, const Options& options) {
   if (options.quiet) return;
-  for (const std::string& w : warnings) note_stream() << "quoin: warning: " << w << "\n";
+  for (const std::string& w : warnings) note_stream() << "quoin: warning: " << printable(w) << "\n";
 }
 
 }  // namespace quoin::cli

@@ -2,6 +2,7 @@
 #include "quoin/cli/persistence_diagram.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <tuple>
 #include <utility>
@@ -107,6 +108,30 @@ std::string PersistenceDiagram::text(bool all) const {
     }
   }
   return result;
+}
+
+std::string PersistenceDiagram::lost_by_rounding() const {
+  if (values_.tells_exact) return {};
+  constexpr double largest = std::numeric_limits<double>::max();
+  std::size_t beyond = 0;
+  std::size_t empty = 0;
+  for (const std::vector<Interval>& list : degrees_) {
+    for (const Interval& i : list) {
+      const bool ends = i.death != PersistencePair::never;
+      if (std::abs(i.from) == largest || (ends && std::abs(i.to) == largest)) {
+        ++beyond;
+      } else if (ends && i.from == i.to) {
+        ++empty;
+      }
+    }
+  }
+  std::string lost;
+  if (beyond > 0) lost = std::to_string(beyond) + " intervals have ends beyond the largest double, told as that";
+  if (empty > 0) {
+    lost += (lost.empty() ? "" : "; ") + std::to_string(empty) +
+            " intervals begin and end at different values with one nearest double";
+  }
+  return lost.empty() ? lost : lost + ": '--exact' tells values as fractions";
 }
 
 std::vector<PersistenceInterval> PersistenceDiagram::drawn() const {

@@ -36,6 +36,9 @@ class PersistenceDiagram {
   /// For people: the longest of each degree, those that stay before all; all of them if asked.
   std::string text(bool all) const;
 
+  /// What is lost where values are told as doubles: empty, or a warning.
+  std::string lost_by_rounding() const;
+
   /// Draws diagrams, or bars, to the outputs.
   void write(const Options& options) const;
 

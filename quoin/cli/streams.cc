@@ -67,6 +67,12 @@ std::ostream& note_stream() {
   return std::cerr;
 }
 
+std::string printable(std::string text) {
+  std::ranges::replace_if(
+      text, [](unsigned char c) { return (c < 0x20 && c != '\n' && c != '\t') || c == 0x7F; }, '?');
+  return text;
+}
+
 void print_json(const nlohmann::ordered_json& json, const Options& options) {
   using Json = nlohmann::ordered_json;
   std::ostream& report = report_stream(options);

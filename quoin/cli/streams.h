@@ -22,6 +22,9 @@ std::ostream& report_stream(const Options& options);
 /// Where warnings and errors go.
 std::ostream& note_stream();
 
+/// With '?' for what would steer a terminal; lines stay lines.
+std::string printable(std::string text);
+
 /// Reports; may be long, so it polls. @throws Cancelled
 void print_json(const nlohmann::ordered_json& json, const Options& options);
 

@@ -141,6 +141,17 @@ TEST(PointFile, VerticesOfMeshes) {
   EXPECT_EQ(read("# by hand\n\nv 1 2 3\n", "a").report.format, PointFormat::obj);
   EXPECT_EQ(obj.points, (std::vector<Point3>{{1, 2, 3}, {4, 5, 6}}));
   EXPECT_EQ(obj.colors, (std::vector<Color>{{255, 128, 0}, {0, 0, 0}}));
+  EXPECT_TRUE(obj.normals.empty());
+  EXPECT_TRUE(obj.report.warnings.back().starts_with("normals are not kept"));
+  for (const char* faces : {"", "f 1//1 2//2\n", "f 2/5/2 1/5/1 2\n", "f 1/3 2/4\nf 1// 2//\n"}) {
+    const PointFile cloud = read("v 1 2 3\nv 4 5 6\nvn 0 0 2\nvn 0 -1 0\n" + std::string(faces), "a.obj");
+    EXPECT_EQ(cloud.normals, (std::vector<Vector3>{{0, 0, 2}, {0, -1, 0}})) << faces;
+    EXPECT_TRUE(cloud.report.warnings.empty());
+  }
+  const PointFile crossed = read("v 1 2 3\nv 4 5 6\nvn 0 0 2\nvn 0 -1 0\nf 1//2 2//1\n", "a.obj");
+  EXPECT_TRUE(crossed.normals.empty());
+  EXPECT_EQ(crossed.report.warnings.size(), 1U);
+  EXPECT_THROW(read("v 1 2 3\nvn 0 0\n", "a.obj"), InputError);
   const PointFile off = read("CNOFF\n2 1 0\n1 2 3 0 0 1 255 0 0 128\n4 5 6 0 1 0 1 2 3 4\n2 0 1\n", "a.off");
   EXPECT_EQ(off.normals.size(), 2U);
   EXPECT_EQ(off.colors, (std::vector<Color>{{255, 0, 0, 128}, {1, 2, 3, 4}}));

@@ -33,6 +33,36 @@ std::vector<PointField> fields_of_obj(std::size_t numbers, bool weights) {
   return with_colors(std::move(fields), numbers - 3);
 }
 
+/// Normals of OBJ, which belong to the vertices in the same places where faces do not say otherwise.
+class ObjNormals {
+ public:
+  void add(const TextLines& lines) {
+    const auto& words = lines.words();
+    if (words.size() != 4) lines.fail("a normal should have three coordinates");
+    normals_.push_back({lines.number(words[1]), lines.number(words[2]), lines.number(words[3])});
+  }
+  /// A corner of a face, as 7/2/7.
+  void meet(std::string_view corner) {
+    const std::size_t second = corner.find('/');
+    if (second == std::string_view::npos) return;
+    const std::size_t third = corner.find('/', second + 1);
+    if (third == std::string_view::npos || third + 1 == corner.size()) return;
+    are_in_order_ = are_in_order_ && corner.substr(0, second) == corner.substr(third + 1);
+  }
+  void finish(PointFile& file) {
+    if (normals_.empty()) return;
+    if (are_in_order_ && normals_.size() == file.points.size()) {
+      file.normals = std::move(normals_);
+    } else {
+      file.report.warnings.emplace_back("normals are not kept: they are not those of the vertices in the same places");
+    }
+  }
+
+ private:
+  std::vector<Vector3> normals_;
+  bool are_in_order_ = true;
+};
+
 }  // namespace
 
 PointFile read_point_obj(std::string_view bytes, const std::string& name, bool weights, const Context& context) {
@@ -42,12 +72,18 @@ PointFile read_point_obj(std::string_view bytes, const std::string& name, bool w
   file.report.format = PointFormat::obj;
   std::optional<PointColumns> columns;
   std::vector<double> row;
+  ObjNormals normals;
   bool has_weights = false;
   std::size_t statements = 0;
   while (lines.next()) {
     if (++statements % 4096 == 0) context.poll();
     const auto& words = lines.words();
+    if (words[0] == "vn") {
+      normals.add(lines);
+      continue;
+    }
     if (words[0] != "v") {
+      for (std::size_t k = 1; words[0] == "f" && k < words.size(); ++k) normals.meet(words[k]);
       if (words[0] != "f" && words[0] != "fo" && !is_obj_statement(words[0]))
         lines.fail(quoted(words[0]) + " is no statement of an OBJ file");
       continue;
@@ -69,6 +105,7 @@ PointFile read_point_obj(std::string_view bytes, const std::string& name, bool w
     columns->add(row);
   }
   if (columns) columns->finish(file);
+  normals.finish(file);
   if (has_weights && !weights) file.report.warnings.emplace_back("weights of vertices are not kept");
   return file;
 }

@@ -172,6 +172,17 @@ class Persistence(CommandTest):
             self.assertEqual([[None if e is None else float(Fraction(e)) for e in i] for i in found["exact_intervals"][0]],
                              found["intervals"][0])
 
+    def test_says_what_doubles_do_not_tell(self):
+        tiny = text_of([tuple(c * 1e-300 for c in p) for p in CUBE])
+        done = self.run_quoin("alpha", "-", "-o", "t.txt", stdin=tiny)
+        self.assertIn("3 values are the same doubles as the ones before", done.stderr)
+        self.assertIn("different values with one nearest double", self.run_quoin("alpha", "-", "--persistence", stdin=tiny).stderr)
+        exact = self.run_quoin("alpha", "-", "--exact", "-o", "t.txt", stdin=tiny)
+        self.assertEqual(exact.stderr, "")
+        self.assertEqual(self.json_of("persistence", "t.txt")["pairs"], [8, 5, 1, 0])
+        huge = text_of([tuple(c * 1e300 for c in p) for p in CUBE])
+        self.assertIn("beyond the largest double", self.run_quoin("alpha", "-", "--persistence", stdin=huge).stderr)
+
     def test_drawings_and_text(self):
         self.write("c.xyz", text_of(CUBE))
         done = self.run_quoin("alpha", "c.xyz", "--persistence", "-o", "d.svg")

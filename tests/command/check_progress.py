@@ -107,6 +107,30 @@ class Progress(CommandTest):
         os.close(terminal)
         return shown
 
+    def test_time_is_up_while_it_waits(self):
+        command = [self.quoin, "delaunay", "-", "--timeout", "0.2"]
+        with subprocess.Popen(command, stdin=subprocess.PIPE, stderr=subprocess.PIPE, cwd=self.folder) as process:
+            process.stdin.write(b"0 0 0\n")
+            process.stdin.flush()
+            self.assertEqual(process.wait(timeout=60), 4)
+
+    def test_files_are_replaced_when_the_new_one_is_whole(self):
+        points = "".join(f"{x} {x * x} {x * x * x}\n" for x in range(20))
+        target = self.folder / "t.vtk"
+        target.write_text("before")
+        target.chmod(0o640)
+        (self.folder / "link.vtk").symlink_to("t.vtk")
+        self.run_quoin("delaunay", "-", "-o", "t.vtk", stdin="0 0 0\nx\n", code=1)
+        self.assertEqual(target.read_text(), "before")
+        self.run_quoin("delaunay", "-", "-o", "t.vtk", stdin=points)
+        self.assertIn("DATASET", target.read_text())
+        self.assertEqual(target.stat().st_mode & 0o777, 0o640)
+        target.write_text("before")
+        self.run_quoin("delaunay", "-", "-o", "link.vtk", stdin=points)
+        self.assertTrue((self.folder / "link.vtk").is_symlink())
+        self.assertIn("DATASET", target.read_text())
+        self.assertEqual([path.name for path in self.folder.iterdir() if ".part" in path.name], [])
+
     def test_interruption_leaves_a_clean_line(self):
         shown = self.interrupted("classify", "a.off", "--points", "points", pipe="points")
         self.assertEqual(shown, "quoin: cancelled\n")
