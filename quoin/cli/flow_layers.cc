@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -28,30 +27,6 @@ std::uint32_t add_point(LayeredScene& scene, const Point3& p) {
 
 bool is_finite(const Point3& p) {
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
-
-/// The part of a segment that is in a box, by fractions of it; nothing overflows.
-std::optional<std::pair<double, double>> part_within(const Point3& a, const Point3& b, const Point3& low,
-                                                     const Point3& high) {
-  double from = 0;
-  double to = 1;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double along = b[axis] / 4 - a[axis] / 4;
-    if (along == 0) {
-      if (a[axis] < low[axis] || a[axis] > high[axis]) return std::nullopt;
-      continue;
-    }
-    const double enters = ((along > 0 ? low : high)[axis] / 4 - a[axis] / 4) / along;
-    const double leaves = ((along > 0 ? high : low)[axis] / 4 - a[axis] / 4) / along;
-    from = std::max(from, enters);
-    to = std::min(to, leaves);
-  }
-  if (!(from < to)) return std::nullopt;
-  return std::pair{from, to};
-}
-
-bool is_within(const Point3& p, const Point3& low, const Point3& high) {
-  return low.x <= p.x && p.x <= high.x && low.y <= p.y && p.y <= high.y && low.z <= p.z && p.z <= high.z;
 }
 
 Point3 between(const Point3& a, const Point3& b, double part) {
@@ -125,24 +100,11 @@ WayLayer::WayLayer(const FlowGraph& graph, const FlowPlaces& places, LayeredScen
       scene_(scene),
       values_(graph.cells().triangulation()),
       arcs_(graph.cells()),
+      box_(scene.points),
       owner_(graph.cells().cells().size(), none),
       centre_(graph.cells().cells().size(), none),
       precision_(precision_of(scene.points)),
       next_owner_(places.owner_of_maximum(graph.infinity())) {
-  constexpr double largest = std::numeric_limits<double>::max();
-  low_ = high_ = scene.points[0];
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    for (const Point3& p : scene.points) {
-      low_[axis] = std::min(low_[axis], p[axis]);
-      high_[axis] = std::max(high_[axis], p[axis]);
-    }
-  }
-  const Point3 half{high_.x / 2 - low_.x / 2, high_.y / 2 - low_.y / 2, high_.z / 2 - low_.z / 2};
-  const double margin = std::max({half.x, half.y, half.z}) / 4;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    low_[axis] = std::max(-largest, low_[axis] - margin);
-    high_[axis] = std::min(largest, high_[axis] + margin);
-  }
   for (std::uint32_t i = 0; i < graph.maxima().size(); ++i) {
     const std::uint32_t cell = graph.maxima()[i].cell;
     const std::uint32_t point = places.first_maximum + i;
@@ -175,14 +137,14 @@ void WayLayer::follow(std::uint32_t from, std::uint32_t cell, std::uint32_t stop
     if (is_new) owner_[cell] = next_owner_++;
     scene_.links.push_back({from, owner_[cell]});
     Spot at = spots_[centre(cell)];
-    if (!is_new || !is_within(at.at, low_, high_)) return;  // out there all leads to infinity
+    if (!is_new || !box_.holds(at.at)) return;  // out there all leads to infinity
     from = owner_[cell];
     const std::optional<ArcLeg> leg = arcs_.way_on(cell, context, precision_);
     if (!leg) return;
     for (const Point3& p : leg->points) {
       Spot next{p, none};
       draw(at, next, from, stop, layer);
-      if (!is_within(p, low_, high_)) return;
+      if (!box_.holds(p)) return;
       at = next;
     }
     std::optional<std::uint32_t> next = leg->next;
@@ -200,7 +162,7 @@ void WayLayer::follow(std::uint32_t from, std::uint32_t cell, std::uint32_t stop
 /// What of a segment is not far outside.
 void WayLayer::draw(Spot& a, Spot& b, std::uint32_t owner, std::uint32_t stop, SceneLayer& layer) {
   if (!is_finite(a.at) || !is_finite(b.at)) return;
-  const auto part = part_within(a.at, b.at, low_, high_);
+  const auto part = box_.part_of(a.at, b.at);
   if (!part) return;
   const std::uint32_t from = part->first == 0 ? point_of(a) : add_point(scene_, between(a.at, b.at, part->first));
   const std::uint32_t to = part->second == 1 ? point_of(b) : add_point(scene_, between(a.at, b.at, part->second));

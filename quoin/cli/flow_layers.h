@@ -8,6 +8,7 @@
 
 #include "quoin/base/context.h"
 #include "quoin/cli/flow_grades.h"
+#include "quoin/cli/scene_box.h"
 #include "quoin/flow/flow_reconstruction.h"
 #include "quoin/flow/saddle_surfaces.h"
 #include "quoin/view/layered_scene.h"
@@ -80,13 +81,17 @@ class WayLayer {
   LayeredScene& scene_;
   CriticalValues values_;
   SaddleArcs arcs_;
-  Point3 low_;  // of the box beyond which nothing is drawn
-  Point3 high_;
+  SceneBox box_;                       // beyond which nothing is drawn
   std::vector<std::uint32_t> owner_;   // by cell
   std::vector<std::uint32_t> centre_;  // by cell, among the spots
   std::vector<Spot> spots_;
   double precision_;
   std::uint32_t next_owner_;
 };
+
+/// Adds unstable sheets of saddles of index 1 as a layer, all together and at every distance: sheets run together, and
+/// no part is of one saddle alone. What goes far beyond the points is left out; the scene's facts say how much. @throws
+/// Cancelled
+void add_sheet_layer(const FlowCells& flow, LayeredScene& scene, const Context& context);
 
 }  // namespace quoin::cli

@@ -9,7 +9,6 @@
 
 #include "quoin/base/disjoint_sets.h"
 #include "quoin/cli/flow_layers.h"
-#include "quoin/cli/flow_sheets.h"
 #include "quoin/cli/flow_tunnels.h"
 #include "quoin/cli/page_values.h"
 #include "quoin/cli/point_scenes.h"
@@ -31,7 +30,6 @@ constexpr std::array<Color, 4> color_of_index{Color{47, 111, 181, 255}, Color{20
                                               Color{43, 145, 96, 255}, Color{138, 91, 181, 255}};
 constexpr Color edge_color{214, 130, 145, 255};
 constexpr Color surface_color{120, 186, 150, 120};
-constexpr Color sheet_color{214, 160, 110, 110};
 constexpr Color wall_color{125, 158, 198, 255};
 constexpr Color way_color{166, 132, 198, 255};
 constexpr Color other_color{150, 150, 158, 255};
@@ -65,7 +63,7 @@ class FlowScene {
     if (page_.surfaces) add_surfaces();
     if (!page_.wall_name.empty()) add_walls();
     if (page_.ways) add_ways();
-    if (page_.sheets) add_sheets();
+    if (page_.sheets) add_sheet_layer(graph_.cells(), scene_, context_);
     if (!page_.left_out.empty()) scene_.facts.emplace_back("Not in this page", page_.left_out);
     stops_.move_to(scene_);
     return std::move(scene_);
@@ -271,33 +269,6 @@ class FlowScene {
       ways.add(i, stop, layer, context_);
     }
     layer.is_shown = layer.begin.size() <= most_ways_at_first;
-    scene_.layers.push_back(std::move(layer));
-  }
-
-  /// All together and at every distance: sheets run together, and no part is of one saddle alone.
-  void add_sheets() {
-    context_.progress("unstable sheets", 0);
-    const SheetPolygons sheets = sheet_polygons(graph_.cells(), context_);
-    const auto first = static_cast<std::uint32_t>(scene_.point_count());
-    scene_.near_points.insert(scene_.near_points.end(), sheets.points.begin(), sheets.points.end());
-    SceneLayer layer{.name = "Sheets (unstable 1)", .kind = Kind::triangles, .color = sheet_color};
-    std::size_t left = 0;
-    for (std::size_t i = 0; i + 1 < sheets.begin.size(); ++i) {
-      if (i % poll_step == 0) context_.poll();
-      const auto corners = std::span(sheets.corners).subspan(sheets.begin[i], sheets.begin[i + 1] - sheets.begin[i]);
-      for (std::size_t k = 2; k < corners.size(); ++k) {
-        if (layer.vertices.size() >= 3 * most_flow_triangles) {
-          ++left;
-          continue;
-        }
-        layer.vertices.insert(layer.vertices.end(), {first + corners[0], first + corners[k - 1], first + corners[k]});
-      }
-    }
-    if (left > 0)
-      scene_.facts.emplace_back(layer.name, std::to_string(left) + " triangles are left out: too many for a page");
-    if (sheets.unbounded > 0)
-      scene_.facts.emplace_back(layer.name,
-                                std::to_string(sheets.unbounded) + " pieces that reach to infinity are not drawn");
     scene_.layers.push_back(std::move(layer));
   }
 

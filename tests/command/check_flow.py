@@ -201,6 +201,18 @@ class Pages(PageTest):
         self.assertEqual(edges.begins("Edges (stable 1)"), edges.begins("Midpoints (index 1)"))
         self.assertNotIn("Surfaces (stable 2)", edges.layers)
 
+    def test_sheets_and_walls(self):
+        text = text_of(cloud(60, 3, seed=4))
+        page = self.flow_page("--unstable", "1", stdin=text)
+        sheets = page.layers["Sheets (unstable 1)"]
+        self.assertGreater(len(sheets), 100)
+        self.assertTrue(all(begin == 0 and owner is None for owner, begin, _ in sheets))
+        told = [value for name, value in page.header["facts"] if name == "Sheets (unstable 1)"]
+        self.assertIn("far beyond the points", told[0])
+        report = self.json_of("flow", "-", "--stable", "3", stdin=text)["stable"]
+        page = self.flow_page("--stable", "3", stdin=text)
+        self.assertEqual(len(page.layers["Walls of regions (stable 3)"]), report["triangles"])
+
     def test_voids_are_as_deep_as_simplification_says(self):
         text = text_of(cloud(80, 3, seed=2))
         page = self.flow_page(stdin=text)
