@@ -51,7 +51,7 @@ def best_of_rounds(commands, rounds, limit, keys=("seconds",)):
             if results[i] is None or isinstance(result, str):
                 results[i] = result
                 continue
-            for key in keys:
+            for key in (key for key in keys if key in result):
                 results[i][key] = min(results[i][key], result[key])
     return results
 
