@@ -7,14 +7,17 @@
 #include <utility>
 #include <vector>
 
-#if defined(__linux__)
-#include <sys/mman.h>
-#endif
-
 namespace quoin {
 
+namespace detail {
+
+/// Where the system has them and they cost less than others: see the source.
+void ask_for_huge_pages(void* block, std::size_t bytes) noexcept;
+
+}  // namespace detail
+
 /// Allocates blocks of megabytes on boundaries of huge pages and asks the system for such: touching fresh memory then
-/// costs a fraction. Smaller blocks are ordinary.
+/// costs a fraction. Smaller blocks are ordinary, and so are those of hundreds of megabytes.
 template <class T>
 class LargeAllocator {
  public:
@@ -27,10 +30,7 @@ class LargeAllocator {
     const std::size_t bytes = count * sizeof(T);
     if (bytes < threshold) return static_cast<T*>(::operator new (bytes, std::align_val_t{alignment}));
     T* const block = static_cast<T*>(::operator new ((bytes + page - 1) / page * page, std::align_val_t{page}));
-#if defined(__linux__)
-    // Whole pages only, so that no more memory is taken than asked for.
-    madvise(block, bytes / page * page, MADV_HUGEPAGE);
-#endif
+    detail::ask_for_huge_pages(block, bytes / page * page);  // whole pages only: no more than is asked for
     return block;
   }
   void deallocate(T* block, std::size_t count) {
@@ -40,9 +40,7 @@ class LargeAllocator {
       ::operator delete (block, std::align_val_t{page});
     }
   }
-  friend bool operator==(const LargeAllocator&, const LargeAllocator&) {
-    return true;
-  }
+  friend bool operator==(const LargeAllocator&, const LargeAllocator&) { return true; }
 
  private:
   static constexpr std::size_t alignment = alignof(T) > alignof(std::max_align_t) ? alignof(T)
