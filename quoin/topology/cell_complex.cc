@@ -24,6 +24,17 @@ void require_few(std::size_t rows, std::size_t width) {
   if (rows >= most_rows) throw InputError("2^32 simplices of dimension " + std::to_string(width - 1) + " or more");
 }
 
+/// Memory of gigabytes is touched for the first time.
+template <class T>
+void resize_and_poll(std::vector<T>& list, std::size_t size, const Context& context) {
+  constexpr std::size_t step = std::size_t{1} << 20;
+  list.reserve(size);
+  while (list.size() < size) {
+    context.poll();
+    list.resize(std::min(size, list.size() + step));
+  }
+}
+
 }  // namespace
 
 CellComplexBuilder::CellComplexBuilder(std::span<const std::uint32_t> vertices, std::size_t width,
@@ -58,12 +69,14 @@ void CellComplexBuilder::sort_cells() {
   const std::size_t count = given_.size() / W;
   std::vector<std::size_t> begin(labels.size() + 1, 0);
   for (std::size_t i = 0; i < count; ++i) {
+    if (i % poll_interval == 0) context_.poll();
     ++begin[number[*std::min_element(given_.begin() + static_cast<std::ptrdiff_t>(i * W),
                                      given_.begin() + static_cast<std::ptrdiff_t>((i + 1) * W))] +
             1];
   }
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  std::vector<Row> rows(count);
+  std::vector<Row> rows;
+  resize_and_poll(rows, count, context_);
   std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
   for (std::size_t i = 0; i < count; ++i) {
     if (i % poll_interval == 0) context_.poll();
@@ -99,15 +112,22 @@ void CellComplexBuilder::derive_facets() {
   SimplicialComplex::Layer& lower = result_.layers_[W - 2];
   const std::size_t vertex_count = result_.labels_.size();
   const std::vector<std::uint32_t>& v = layer.vertices;
-  layer.facets.resize(v.size());
+  resize_and_poll(layer.facets, v.size(), context_);
 
   // By the second vertex.
   std::vector<std::size_t> begin(vertex_count + 1, 0);
-  for (std::size_t i = 0; i < layer.size; ++i) ++begin[v[i * W + 1] + 1];
+  for (std::size_t i = 0; i < layer.size; ++i) {
+    if (i % poll_interval == 0) context_.poll();
+    ++begin[v[i * W + 1] + 1];
+  }
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  std::vector<std::uint32_t> of_second(layer.size);
+  std::vector<std::uint32_t> of_second;
+  resize_and_poll(of_second, layer.size, context_);
   std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
-  for (std::uint32_t i = 0; i < layer.size; ++i) of_second[next[v[i * W + 1]]++] = i;
+  for (std::uint32_t i = 0; i < layer.size; ++i) {
+    if (i % poll_interval == 0) context_.poll();
+    of_second[next[v[i * W + 1]]++] = i;
+  }
 
   const auto pack = [](std::uint64_t b, std::uint64_t c) { return W == 4 ? b << 32 | c : c; };
   lower.first.assign(vertex_count + 1, 0);
@@ -149,8 +169,9 @@ void CellComplexBuilder::derive_facets() {
 
 void CellComplexBuilder::finish_edges() {
   SimplicialComplex::Layer& edges = result_.layers_[1];
-  edges.facets.resize(edges.vertices.size());
+  resize_and_poll(edges.facets, edges.vertices.size(), context_);
   for (std::size_t i = 0; i < edges.vertices.size(); i += 2) {
+    if (i % poll_interval == 0) context_.poll();
     edges.facets[i] = edges.vertices[i + 1];
     edges.facets[i + 1] = edges.vertices[i];
   }
