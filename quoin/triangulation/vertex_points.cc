@@ -83,8 +83,8 @@ VertexPoints::VertexPoints(std::span<const Point3> list, Scaling scaling, const 
 }
 
 void refuse_for_memory(std::size_t points) {
-  throw InputError("too little memory for the triangulation of " + std::to_string(points) +
-                   " points: about " + std::to_string(points / 4000 + 1) +
+  throw InputError("too little memory for the triangulation of " + std::to_string(points) + " points: about " +
+                   std::to_string(points / 4000 + 1) +
                    " MB where they are spread evenly, and up to the square of their number where they are not");
 }
 
