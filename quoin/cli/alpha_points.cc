@@ -24,10 +24,8 @@ constexpr std::size_t cells_of_full_layers = 1'000'000;
 /// points in a cube; exact values on fewer; pages, whose layers do not grow for ever, on a hundred thousand and more.
 std::uint64_t memory_of_cells(std::size_t cells, int dimension, const Options& options) {
   std::uint64_t bytes = static_cast<std::uint64_t>(cells) * (dimension == 3 ? 330 : 260);
-  if (writes_exact_cells(options)) bytes += static_cast<std::uint64_t>(cells) * (dimension == 3 ? 1500 : 900);
-  const std::vector<Target> targets = targets_of(options);
-  const bool has_page =
-      std::ranges::any_of(targets, [](const Target& target) { return target.kind == Target::Kind::page; });
+  if (writes(options, Target::Kind::cells)) bytes += static_cast<std::uint64_t>(cells) * (dimension == 3 ? 1500 : 900);
+  const bool has_page = writes(options, Target::Kind::page);
   if (has_page && dimension == 3) bytes += 180 * std::min(cells, cells_of_full_layers) + 60 * cells;
   if (has_page && dimension != 3) bytes += 150 * cells;
   return bytes;

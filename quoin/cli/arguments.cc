@@ -231,7 +231,8 @@ void add_triangulations(CLI::App& app, Options& options) {
 void add_flow(CLI::App& app, Options& options) {
   CLI::App* flow = add_points_command(
       app, options, "flow", "critical points of the distance to points, and what flows to them, exactly",
-      "vtk (what is asked for), ply obj off (its surfaces), svg (histograms), html (a page to look at)");
+      "vtk (what is asked for), ply obj off (its surfaces), svg (histograms), html (a page to look at), "
+      "qcells (exact)");
   flow->add_option("--stable", options.stable,
                    "what flows to critical points of this index: 1 (edges), 2 (surfaces) or 3 (regions)")
       ->check(CLI::IsMember({1, 2, 3}));

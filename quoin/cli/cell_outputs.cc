@@ -68,10 +68,6 @@ void CellMesh::add_vertex(const PointFile& file, std::uint32_t input) {
   if (!file.weights.empty()) data.weights.push_back(file.weights[input]);
 }
 
-bool writes_exact_cells(const Options& options) {
-  return std::ranges::count(targets_of(options), Target::Kind::cells, &Target::kind) > 0;
-}
-
 void write_cells(const CellOutputs& outputs, const Options& options, std::vector<std::string>& warnings,
                  const Context& context) {
   for (const Target& target : targets_of(options)) {

@@ -39,9 +39,6 @@ struct CellOutputs {
   std::function<void(std::ostream&)> drawing{};  ///< of commands that write .svg beside cells
 };
 
-/// Whether an output is to hold exact cells.
-bool writes_exact_cells(const Options& options);
-
 /// Writes the outputs of a command about cells of points. What meshes do not hold goes to `warnings`.
 void write_cells(const CellOutputs& outputs, const Options& options, std::vector<std::string>& warnings,
                  const Context& context);

@@ -27,11 +27,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-bool has_page(const Options& options) {
-  return std::ranges::any_of(targets_of(options),
-                             [](const Target& target) { return target.kind == Target::Kind::page; });
-}
-
 /// The report as lines for people: what is inside objects with the objects' names in front.
 Json flat(const Json& report) {
   Json lines;
@@ -69,7 +64,7 @@ void require_one_thing(const Options& options) {
 }
 
 void require_exact(const Options& options) {
-  if (options.unstable > 0 && writes_exact_cells(options))
+  if (options.unstable > 0 && writes(options, Target::Kind::cells))
     throw UsageError("what --unstable writes has rounded coordinates: it does not go to .qcells");
 }
 
@@ -113,7 +108,7 @@ int run_flow(const Options& options, const Context& context) {
                 options, warnings, context);
   } else {
     FlowOfSpace flow(triangulation, options, context);
-    if (has_page(options)) flow.announce_page();
+    if (writes(options, Target::Kind::page)) flow.announce_page();
     flow.report(report);
     write_cells({.grid = [&] { return flow.grid(); },
                  .mesh = [&] { return flow.faces(); },

@@ -33,7 +33,7 @@ Rational square_of(double distance) {
 
 std::uint64_t memory_of_flow(std::size_t points, const Options& options) {
   const auto bytes = [&]() -> std::uint64_t {
-    if (writes_exact_cells(options)) return 28000;
+    if (writes(options, Target::Kind::cells)) return 28000;
     if (has_pages_alone(options)) return 700;
     return options.unstable == 1 ? 30000 : 3000;
   };
@@ -113,7 +113,8 @@ const FlowMesh& FlowOfSpace::mesh() {
   if (options_.stable == 2) {
     flow_.for_each_saddle(context_, [this](CellFacet facet) { walls_.push_back({facet, false}); });
   }
-  return mesh_.emplace(flow_mesh(flow_, walls_, context_, {.keeps_exact_points = writes_exact_cells(options_)}));
+  return mesh_.emplace(
+      flow_mesh(flow_, walls_, context_, {.keeps_exact_points = writes(options_, Target::Kind::cells)}));
 }
 
 Mesh FlowOfSpace::faces() {

@@ -135,6 +135,10 @@ std::vector<Target> targets_of(const Options& options) {
   return targets;
 }
 
+bool writes(const Options& options, Target::Kind kind) {
+  return std::ranges::count(targets_of(options), kind, &Target::kind) > 0;
+}
+
 void require_known_targets(const Options& options) {
   const std::vector<Target> targets = targets_of(options);
   if (!options.format.empty() && std::none_of(targets.begin(), targets.end(), std::mem_fn(&Target::is_stream)))

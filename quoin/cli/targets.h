@@ -41,6 +41,9 @@ bool is_planar(const std::string& command);
 /// @throws UsageError  an ending or format that the command does not write
 std::vector<Target> targets_of(const Options& options);
 
+/// Whether some output is to hold this.
+bool writes(const Options& options, Target::Kind kind);
+
 /// Refuses what targets_of refuses, a format that no output takes, and pages where the view is not built in.
 void require_known_targets(const Options& options);
 

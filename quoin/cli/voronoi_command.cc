@@ -15,6 +15,7 @@
 #include "quoin/cli/planar.h"
 #include "quoin/cli/point_input.h"
 #include "quoin/cli/summary.h"
+#include "quoin/cli/targets.h"
 
 namespace quoin::cli {
 
@@ -168,7 +169,8 @@ int run_voronoi(const Options& options, const Context& context) {
   const PointFile file = read_point_input(options, warnings, context);
   const bool of_plane = is_of_plane(file, options);
   const bool is_written = !options.outputs.empty();
-  const MemoryUse use{.is_listed = options.cells, .is_written = is_written, .is_exact = writes_exact_cells(options)};
+  const MemoryUse use{
+      .is_listed = options.cells, .is_written = is_written, .is_exact = writes(options, Target::Kind::cells)};
   announce_memory(memory_of_nearest_cells(file.points.size(), of_plane, use), file.points.size(), options);
   const std::unique_ptr<NearestCells> cells = nearest_cells(file, of_plane, is_written, context);
   const Sizes sizes = options.cells || is_written ? sizes_of(*cells, options, context) : Sizes();
