@@ -8,15 +8,11 @@
 #include <vector>
 
 #include "quoin/base/error.h"
-#include "quoin/view/page_text.h"
-#include "quoin/view/picture_colors.h"
-#include "quoin/view/svg_drawing.h"
+#include "quoin/view/chart_svg.h"
 
 namespace quoin {
 
 namespace {
-
-using svg_drawing::write_pixel;
 
 constexpr double margin = 64;
 constexpr double side = 560;     // of the field, and its width
@@ -75,7 +71,7 @@ std::string tick_text(double value) {
 class PersistenceSvg {
  public:
   PersistenceSvg(std::ostream& out, std::span<const PersistenceInterval> intervals, const std::string& title)
-      : out_(out), title_(title), intervals_(intervals.begin(), intervals.end()), scale_(intervals) {
+      : out_(out), chart_(out), title_(title), intervals_(intervals.begin(), intervals.end()), scale_(intervals) {
     std::stable_sort(intervals_.begin(), intervals_.end(), [](const auto& a, const auto& b) {
       if (a.degree != b.degree) return a.degree < b.degree;
       return a.birth != b.birth ? a.birth < b.birth : a.death < b.death;
@@ -87,23 +83,23 @@ class PersistenceSvg {
   void write_diagram() {
     const double top = margin - headroom / 2;  // of what stays
     write_head(margin + side);
-    write_line("axis", margin, margin + side, margin + side, margin);
-    write_line("grid", margin, top, margin + side, top);
-    write_label("end", margin - 8, top, "\xE2\x88\x9E");
+    chart_.write_line("axis", margin, margin + side, margin + side, margin);
+    chart_.write_line("grid", margin, top, margin + side, top);
+    chart_.write_label("end", margin - 8, top, "\xE2\x88\x9E");
     for (const double tick : scale_.ticks()) {
       const double at = side * scale_.part(tick);
-      write_line("grid", margin + at, margin + side, margin + at, margin + side + 5);
-      write_line("grid", margin - 5, margin + side - at, margin, margin + side - at);
-      write_label("middle", margin + at, margin + side + 16, tick_text(tick));
-      write_label("end", margin - 8, margin + side - at, tick_text(tick));
+      chart_.write_line("grid", margin + at, margin + side, margin + at, margin + side + 5);
+      chart_.write_line("grid", margin - 5, margin + side - at, margin, margin + side - at);
+      chart_.write_label("middle", margin + at, margin + side + 16, tick_text(tick));
+      chart_.write_label("end", margin - 8, margin + side - at, tick_text(tick));
     }
-    write_line("frame", margin, margin + side, margin + side, margin + side);
-    write_line("frame", margin, margin + side, margin, top);
-    write_label("middle", margin + side / 2, margin + side + 38, "birth");
-    write_label("middle", margin, top - 18, "death");
+    chart_.write_line("frame", margin, margin + side, margin + side, margin + side);
+    chart_.write_line("frame", margin, margin + side, margin, top);
+    chart_.write_label("middle", margin + side / 2, margin + side + 38, "birth");
+    chart_.write_label("middle", margin, top - 18, "death");
     write_paths("point", [&](const PersistenceInterval& interval, std::size_t) {
-      move_to(margin + side * scale_.part(interval.birth),
-              std::isfinite(interval.death) ? margin + side - side * scale_.part(interval.death) : top);
+      chart_.move_to(margin + side * scale_.part(interval.birth),
+                     std::isfinite(interval.death) ? margin + side - side * scale_.part(interval.death) : top);
       out_ << "h0";
     });
     write_end();
@@ -116,85 +112,42 @@ class PersistenceSvg {
     write_head(margin + height);
     for (const double tick : scale_.ticks()) {
       const double x = margin + side * scale_.part(tick);
-      write_line("grid", x, margin, x, margin + height + 5);
-      write_label("middle", x, margin + height + 16, tick_text(tick));
+      chart_.write_line("grid", x, margin, x, margin + height + 5);
+      chart_.write_label("middle", x, margin + height + 16, tick_text(tick));
     }
-    write_line("frame", margin, margin + height, margin + side + headroom, margin + height);
+    chart_.write_line("frame", margin, margin + height, margin + side + headroom, margin + height);
     write_paths("bar", [&](const PersistenceInterval& interval, std::size_t row) {
       const double y = margin + pitch * (static_cast<double>(row) + 0.5);
-      move_to(margin + side * scale_.part(interval.birth), y);
+      chart_.move_to(margin + side * scale_.part(interval.birth), y);
       out_ << 'H';
-      write_pixel(out_,
-                  margin + (std::isfinite(interval.death) ? side * scale_.part(interval.death) : side + headroom));
+      chart_.write_pixel(margin +
+                         (std::isfinite(interval.death) ? side * scale_.part(interval.death) : side + headroom));
     });
     write_end();
   }
 
  private:
   void write_head(double bottom) {
-    const double width = margin + side + headroom + legend_width;
-    const double height = bottom + margin;
-    out_ << R"(<svg xmlns="http://www.w3.org/2000/svg" class="quoin-persistence" role="img" width=")";
-    write_pixel(out_, width);
-    out_ << "\" height=\"";
-    write_pixel(out_, height);
-    out_ << "\" viewBox=\"0 0 ";
-    write_pixel(out_, width);
-    out_ << ' ';
-    write_pixel(out_, height);
-    out_ << "\">\n<title>";
-    page_text::write_xml(out_, title_);
-    out_ << "</title>\n<style>\n"
-            ".quoin-persistence{background:#fff;color:#333;font:12px sans-serif}\n"
-            ".quoin-persistence text{fill:currentColor}\n"
-            ".quoin-persistence path{fill:none}\n"
+    constexpr std::string_view name = "quoin-persistence";
+    chart_.begin(name, margin + side + headroom + legend_width, bottom + margin, title_);
+    out_ << ".quoin-persistence path{fill:none}\n"
             ".frame,.axis{stroke:currentColor}.grid{stroke:currentColor;opacity:.25}.axis{opacity:.5}\n"
             ".point{stroke-width:6;stroke-linecap:round}\n"
             ".bar{stroke-width:";
-    write_pixel(out_, std::max(bar_width_, 0.03));
+    chart_.write_pixel(std::max(bar_width_, 0.03));
     out_ << "}\n";
     write_colors(PictureTheme::light);
-    out_ << "@media (prefers-color-scheme:dark){\n.quoin-persistence{background:#181c22;color:#ddd}\n";
+    chart_.begin_dark_rules(name);
     write_colors(PictureTheme::dark);
-    out_ << "}\n</style>\n";
+    chart_.end_rules();
   }
 
   void write_colors(PictureTheme theme) {
-    constexpr std::string_view digits = "0123456789abcdef";
     for (const int degree : degrees_) {
-      const Color color = line_color(static_cast<std::size_t>(degree), theme);
-      out_ << ".d" << std::to_string(degree) << "{stroke:#";
-      for (const std::uint8_t channel : {color.r, color.g, color.b})
-        out_ << digits[channel / 16] << digits[channel % 16];
+      out_ << ".d" << std::to_string(degree) << "{stroke:";
+      chart_.write_color(static_cast<std::size_t>(degree), theme);
       out_ << "}\n";
     }
-  }
-
-  void move_to(double x, double y) {
-    out_ << 'M';
-    write_pixel(out_, x);
-    out_ << ' ';
-    write_pixel(out_, y);
-  }
-
-  void write_line(std::string_view kind, double x1, double y1, double x2, double y2) {
-    out_ << "<path class=\"" << kind << "\" d=\"";
-    move_to(x1, y1);
-    out_ << 'L';
-    write_pixel(out_, x2);
-    out_ << ' ';
-    write_pixel(out_, y2);
-    out_ << "\"/>\n";
-  }
-
-  void write_label(std::string_view anchor, double x, double y, const std::string& text) {
-    out_ << "<text text-anchor=\"" << anchor << "\" x=\"";
-    write_pixel(out_, x);
-    out_ << "\" y=\"";
-    write_pixel(out_, y + 4);
-    out_ << "\">";
-    page_text::write_xml(out_, text);
-    out_ << "</text>\n";
   }
 
   // One path for each degree, and its line in the legend. Later degrees lie on top.
@@ -209,15 +162,16 @@ class PersistenceSvg {
       const double y = margin + 20 * static_cast<double>(i);
       const double x = margin + side + headroom + 14;
       out_ << "<path class=\"point d" << std::to_string(degrees_[i]) << "\" d=\"";
-      move_to(x, y);
+      chart_.move_to(x, y);
       out_ << "h0\"/>\n";
-      write_label("start", x + 10, y, "H" + std::to_string(degrees_[i]) + ": " + std::to_string(row - first));
+      chart_.write_label("start", x + 10, y, "H" + std::to_string(degrees_[i]) + ": " + std::to_string(row - first));
     }
   }
 
-  void write_end() { out_ << "</svg>\n"; }
+  void write_end() { chart_.end(); }
 
   std::ostream& out_;
+  ChartSvg chart_;
   const std::string& title_;
   std::vector<PersistenceInterval> intervals_;
   Scale scale_;
