@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace quoin {
@@ -39,6 +40,16 @@ struct RankRegion {
     return unsigned{contains(a)} + unsigned{contains(b)} + unsigned{contains(c)} >= 2;
   }
 };
+
+/// Part `r` of so many of equal length into which a cycle is divided, the first of which begins at this part of it.
+inline RankRegion part_of_cycle(std::uint32_t cycle, std::size_t parts, double begin, std::size_t r) {
+  const auto bound = [&](std::size_t i) {
+    return static_cast<std::uint32_t>((begin + static_cast<double>(i) / static_cast<double>(parts)) *
+                                      static_cast<double>(cycle));
+  };
+  const std::uint32_t end = r + 1 < parts ? bound(r + 1) : bound(0) + cycle;
+  return {bound(r) % cycle, end - bound(r), cycle};
+}
 
 /// Where one thread does all.
 struct WholeRegion {

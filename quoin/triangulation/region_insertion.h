@@ -79,14 +79,7 @@ class RegionInsertion {
   };
 
   void place_regions(std::span<Hand> hands, double begin) {
-    const auto bound = [&](std::size_t r) {
-      const double part = begin + static_cast<double>(r) / static_cast<double>(hands.size());
-      return static_cast<std::uint32_t>(part * static_cast<double>(cycle_));
-    };
-    for (std::size_t r = 0; r < hands.size(); ++r) {
-      const std::uint32_t end = r + 1 < hands.size() ? bound(r + 1) : bound(0) + cycle_;
-      hands[r].region = {bound(r) % cycle_, end - bound(r), cycle_};
-    }
+    for (std::size_t r = 0; r < hands.size(); ++r) hands[r].region = part_of_cycle(cycle_, hands.size(), begin, r);
     for (Hand& hand : hands) {
       hand.engine.begin_at(Engine::no_cell);
       for (std::size_t k = 0; k < hints; ++k) {

@@ -92,13 +92,8 @@ class RegionInsertion2 {
   };
 
   void place_regions(std::span<Hand> hands, double begin) {
-    const auto bound = [&](std::size_t r) {
-      const double part = begin + static_cast<double>(r) / static_cast<double>(hands.size());
-      return static_cast<std::uint32_t>(part * vertex_count_);
-    };
     for (std::size_t r = 0; r < hands.size(); ++r) {
-      const std::uint32_t end = r + 1 < hands.size() ? bound(r + 1) : bound(0) + vertex_count_;
-      hands[r].ranks = {bound(r) % vertex_count_, end - bound(r), vertex_count_};
+      hands[r].ranks = part_of_cycle(vertex_count_, hands.size(), begin, r);
       hands[r].region = PlaneRegion(hands[r].ranks, vertex_count_);
     }
   }
