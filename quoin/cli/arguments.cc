@@ -249,6 +249,9 @@ void add_flow(CLI::App& app, Options& options) {
   flow->add_option("--ratio", options.ratio,
                    "of --reconstruct: how near to the points a wall is, of the distance behind it (default: 0.5)")
       ->check(CLI::Range(0.0, 1.0));
+  flow->add_flag("--separate", options.separate,
+                 "critical points near the surface that the points are on from those near its medial axis; "
+                 "--reconstruct goes by that then");
 }
 
 void add_pictures(CLI::App& command, Options& options, const std::string& formats) {

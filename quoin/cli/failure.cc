@@ -5,12 +5,14 @@
 #include <new>
 
 #include "quoin/cli/interruption.h"
+#include "quoin/cli/memory_watch.h"
 #include "quoin/cli/streams.h"
 
 namespace quoin::cli {
 
 Failure current_failure() {
   if (was_interrupted()) return {"cancelled", exit_cancelled};
+  if (const auto refusal = memory_refusal()) return {*refusal, exit_refused};
   try {
     throw;
   } catch (const UsageError& error) {

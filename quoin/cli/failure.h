@@ -26,7 +26,7 @@ struct Failure {
   int exit_code = exit_refused;
 };
 
-/// Of the exception that is being handled; after a signal that interrupts, that.
+/// Of the exception that is being handled; after a signal that interrupts, or a lack of memory, that.
 Failure current_failure();
 
 /// `error` and `exit_code`.

@@ -49,6 +49,7 @@ void require_one_thing(const Options& options) {
   const int things = (options.stable > 0 ? 1 : 0) + (options.unstable > 0 ? 1 : 0) + (options.shape ? 1 : 0) +
                      (options.simplify ? 1 : 0) + (options.reconstruct ? 1 : 0);
   if (options.ratio && !options.reconstruct) throw UsageError("--ratio is that of --reconstruct");
+  if (options.ratio && options.separate) throw UsageError("--reconstruct goes by --ratio or by --separate");
   const std::vector<Target> targets = targets_of(options);
   const auto is_drawing = [](const Target& target) { return target.kind == Target::Kind::drawing; };
   const auto takes_two = [&](const Target& target) { return is_drawing(target) || target.kind == Target::Kind::page; };

@@ -112,6 +112,9 @@ void FlowOfFlat::report(Json& report, std::vector<std::string>& warnings) {
                        {"triangles", 0},
                        {"surfaces_not_ordinary", 0}};
   }
+  if (options_.separate) {
+    warnings.push_back("the points are in one plane: they sample no surface, and critical points are not separated");
+  }
   if (options_.stable == 3 || options_.simplify || options_.reconstruct) {
     polygons_.clear();
     warnings.push_back("the points are in one plane: no maximum is in space, and nothing is enclosed");

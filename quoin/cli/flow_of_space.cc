@@ -58,6 +58,7 @@ void FlowOfSpace::report(Json& report) {
     context_.progress("ways to maxima", 0);
     report["unstable"] = told(survey_unstable(flow_, context_));
   }
+  if (options_.separate) report["separation"] = separated();
   if (options_.shape) report["shape"] = shape();
   if (options_.simplify) report["simplified"] = simplified();
   if (options_.reconstruct) report["solid"] = solid();
@@ -72,7 +73,7 @@ VtkGrid FlowOfSpace::grid() {
     add_critical_edges(flow_, std::nullopt, grid, context_);
     return grid;
   }
-  if (!has_surfaces()) return grid_of_critical_points(graph(), context_);
+  if (!has_surfaces()) return grid_of_critical_points(graph(), separation_, context_);
   if (options_.shape) add_critical_edges(flow_, square_of(*options_.shape), grid, context_);
   const FlowMesh& surfaces = mesh();
   add_surfaces(surfaces, walls_, graph(), grid);
@@ -101,6 +102,7 @@ void FlowOfSpace::announce_page() const {
 
 LayeredScene FlowOfSpace::page(const PointFile& file) {
   FlowPage page = flow_page_of(options_, flow_.triangulation().vertex_count());
+  page.separation = separation_;
   page.walls = walls_;
   page.chosen = chosen_;
   context_.progress("page", 0);
@@ -192,10 +194,40 @@ Json FlowOfSpace::simplified() {
           {"wall_saddles", walls_.size()}};
 }
 
-Json FlowOfSpace::solid() {
+const CriticalSeparation& FlowOfSpace::separation() {
+  if (!separation_) {
+    context_.progress("separation", 0);
+    separation_ = separate(graph(), context_);
+  }
+  return *separation_;
+}
+
+Json FlowOfSpace::separated() {
+  const CriticalSeparation& found = separation();
+  std::array<std::size_t, 4> of_surface = flow_.counts();
+  for (std::size_t i = 0; i < 4; ++i) of_surface[i] -= found.medial[i];
+  return {{"surface", of_surface}, {"medial", found.medial}, {"disputed", found.disputed}};
+}
+
+/// By ratios of distances.
+Json FlowOfSpace::peeled() {
   const double ratio = options_.ratio.value_or(default_ratio);
-  const FlowSolid solid = flow_solid(graph(), {.ratio = ratio}, context_);
-  walls_ = solid.wall;
+  FlowSolid solid = flow_solid(graph(), {.ratio = ratio}, context_);
+  walls_ = std::move(solid.wall);
+  chosen_ = std::move(solid.is_inside);
+  return {{"ratio", ratio}};
+}
+
+Json FlowOfSpace::solid() {
+  Json told;
+  if (options_.separate) {
+    SeparatedSolid found = separated_solid(graph(), separation(), context_);
+    walls_ = std::move(found.solid.wall);
+    chosen_ = std::move(found.solid.is_inside);
+    told = {{"parts_of_space", found.parts}, {"unclear_saddles", found.unclear}};
+  } else {
+    told = peeled();
+  }
   // Without coordinates, which take much longer and are not always written.
   std::size_t triangles = 0;
   std::size_t not_ordinary = 0;
@@ -206,12 +238,11 @@ Json FlowOfSpace::solid() {
     triangles += 2 * surface.pieces.size();
     not_ordinary += surface.is_ordinary() ? 0 : 1;
   }
-  chosen_ = solid.is_inside;
-  return {{"ratio", ratio},
-          {"maxima_inside", std::count(solid.is_inside.begin(), solid.is_inside.end(), true)},
-          {"wall_saddles", walls_.size()},
-          {"triangles", triangles},
-          {"surfaces_not_ordinary", not_ordinary}};
+  told["maxima_inside"] = std::count(chosen_.begin(), chosen_.end(), true);
+  told["wall_saddles"] = walls_.size();
+  told["triangles"] = triangles;
+  told["surfaces_not_ordinary"] = not_ordinary;
+  return told;
 }
 
 }  // namespace quoin::cli

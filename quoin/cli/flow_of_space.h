@@ -10,6 +10,7 @@
 #include "quoin/cli/flow_report.h"
 #include "quoin/cli/flow_sheets.h"
 #include "quoin/cli/options.h"
+#include "quoin/flow/critical_separation.h"
 #include "quoin/flow/flow_graph.h"
 #include "quoin/flow/flow_reconstruction.h"
 #include "quoin/io/exact_cells.h"
@@ -55,11 +56,15 @@ class FlowOfSpace {
   nlohmann::ordered_json shape();
   nlohmann::ordered_json simplified();
   nlohmann::ordered_json solid();
+  nlohmann::ordered_json peeled();
+  const CriticalSeparation& separation();
+  nlohmann::ordered_json separated();
 
   const Options& options_;
   const Context& context_;
   FlowCells flow_;
   std::unique_ptr<FlowGraph> graph_;
+  std::optional<CriticalSeparation> separation_;  // where it is asked for
   std::vector<WallSaddle> walls_;
   std::vector<bool> chosen_;  // maxima inside, or that stay
   std::optional<FlowMesh> mesh_;

@@ -43,7 +43,8 @@ std::uint32_t add_point(VtkGrid& grid, const Point3& p) {
 
 }  // namespace
 
-VtkGrid grid_of_critical_points(const FlowGraph& graph, const Context& context) {
+VtkGrid grid_of_critical_points(const FlowGraph& graph, const std::optional<CriticalSeparation>& separation,
+                                const Context& context) {
   VtkGrid grid;
   const FlowCells& flow = graph.cells();
   const CriticalValues values(flow.triangulation());
@@ -64,6 +65,13 @@ VtkGrid grid_of_critical_points(const FlowGraph& graph, const Context& context) 
   }
   for (std::uint32_t i = 0; i < graph.maxima().size(); ++i) {
     add_one(to_nearest_doubles(values.centre(graph.maxima()[i].cell)), 3, i, distance(graph.maxima()[i].square));
+  }
+  if (separation) {
+    std::vector<std::uint32_t> medial(flow.triangulation().vertex_count(), 0);
+    for (const std::vector<bool>* list : {&separation->edges, &separation->saddles, &separation->maxima}) {
+      medial.insert(medial.end(), list->begin(), list->end());
+    }
+    grid.cell_integers.emplace_back("medial", std::move(medial));
   }
   return grid;
 }

@@ -5,14 +5,16 @@
 #include <span>
 
 #include "quoin/base/context.h"
+#include "quoin/flow/critical_separation.h"
 #include "quoin/flow/flow_reconstruction.h"
 #include "quoin/io/mesh_file.h"
 #include "quoin/io/vtk_grid.h"
 
 namespace quoin::cli {
 
-/// Critical points up to a squared distance, or all: vertices with `index`, `distance` and of input points `input`.
-VtkGrid grid_of_critical_points(const FlowGraph& graph, const Context& context);
+/// All critical points: vertices with `index`, `number` and `distance`, and `medial` where they are separated.
+VtkGrid grid_of_critical_points(const FlowGraph& graph, const std::optional<CriticalSeparation>& separation,
+                                const Context& context);
 
 /// Lines: critical edges, up to a squared distance if there is one, with `index` and `distance`.
 void add_critical_edges(const FlowCells& flow, const std::optional<Rational>& most, VtkGrid& grid,

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "quoin/cli/options.h"
+#include "quoin/flow/critical_separation.h"
 #include "quoin/flow/flow_cells.h"
 #include "quoin/flow/flow_reconstruction.h"
 #include "quoin/number/rational.h"
@@ -16,16 +17,17 @@ namespace quoin::cli {
 
 /// What a page of the flow shows beside points and critical points.
 struct FlowPage {
-  bool edges = false;                  ///< what flows to saddles of index 1
-  bool surfaces = false;               ///< what flows to those of index 2
-  bool ways = false;                   ///< where it flows from those
-  bool sheets = false;                 ///< what flows from saddles of index 1
-  bool tunnels = false;                ///< in the persistence diagram
-  std::string wall_name{};             ///< empty, or a layer with the surfaces of
-  std::vector<WallSaddle> walls{};     ///< these
-  std::string chosen_name{};           ///< where walls are, of maxima in a layer by themselves,
-  std::vector<bool> chosen{};          ///< these
-  std::string other_name{};            ///< of the other maxima
+  bool edges = false;                              ///< what flows to saddles of index 1
+  bool surfaces = false;                           ///< what flows to those of index 2
+  bool ways = false;                               ///< where it flows from those
+  bool sheets = false;                             ///< what flows from saddles of index 1
+  bool tunnels = false;                            ///< in the persistence diagram
+  std::string wall_name{};                         ///< empty, or a layer with the surfaces of
+  std::vector<WallSaddle> walls{};                 ///< these
+  std::string chosen_name{};                       ///< where walls are, of maxima in a layer by themselves,
+  std::vector<bool> chosen{};                      ///< these
+  std::string other_name{};                        ///< of the other maxima
+  std::optional<CriticalSeparation> separation{};  ///< of critical points, in layers of their own
   std::optional<Rational> distance{};  ///< squared, that is shown first; else the page chooses, or all where walls are
   std::string left_out{};              ///< what is not in the page and why
 };

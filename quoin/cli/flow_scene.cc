@@ -28,6 +28,9 @@ constexpr std::size_t most_ways_at_first = 4000;
 // By index, as the diagram has the classes that they begin.
 constexpr std::array<Color, 4> color_of_index{Color{47, 111, 181, 255}, Color{200, 69, 92, 255},
                                               Color{43, 145, 96, 255}, Color{138, 91, 181, 255}};
+// Of critical points near the surface: lighter.
+constexpr std::array<Color, 4> color_of_surface{Color{47, 111, 181, 255}, Color{236, 168, 180, 255},
+                                                Color{150, 208, 180, 255}, Color{200, 176, 224, 255}};
 constexpr Color edge_color{214, 130, 145, 255};
 constexpr Color surface_color{120, 186, 150, 120};
 constexpr Color wall_color{125, 158, 198, 255};
@@ -128,13 +131,17 @@ class FlowScene {
     scene_.layers[0].name = "Points (index 0)";
     scene_.layers[0].color = color_of_index[0];
     scene_.layers[0].is_shown = !has_surfaces() || scene_.points.size() <= most_on_surfaces;
-    add_layer("Midpoints (index 1)", "Midpoint", 1, places_.first_edge, grades_.edges().size(), {},
-              [this](std::uint32_t i) { return grades_.of_edge(i); });
-    add_layer("Saddles (index 2)", "Saddle", 2, places_.first_saddle, graph_.saddles().size(), {},
-              [this](std::uint32_t i) { return grades_.of_saddle(i); });
+    const CriticalSeparation* separated = page_.separation ? &*page_.separation : nullptr;
+    add_separated("Midpoints (index 1", "Midpoint", 1, places_.first_edge, grades_.edges().size(),
+                  separated != nullptr ? &separated->edges : nullptr,
+                  [this](std::uint32_t i) { return grades_.of_edge(i); });
+    add_separated("Saddles (index 2", "Saddle", 2, places_.first_saddle, graph_.saddles().size(),
+                  separated != nullptr ? &separated->saddles : nullptr,
+                  [this](std::uint32_t i) { return grades_.of_saddle(i); });
     const auto of_maximum = [this](std::uint32_t i) { return grades_.of_maximum(i); };
     if (page_.chosen.empty()) {
-      add_layer("Maxima (index 3)", "Maximum", 3, places_.first_maximum, graph_.maxima().size(), {}, of_maximum);
+      add_separated("Maxima (index 3", "Maximum", 3, places_.first_maximum, graph_.maxima().size(),
+                    separated != nullptr ? &separated->maxima : nullptr, of_maximum);
       return;
     }
     std::vector<bool> others = page_.chosen;
@@ -143,6 +150,21 @@ class FlowScene {
     add_layer(page_.other_name, "Maximum", 3, places_.first_maximum, graph_.maxima().size(), others, of_maximum);
     scene_.layers.back().color = other_color;
     scene_.layers.back().is_shown = false;
+  }
+
+  /// One layer, or one of medial ones and one of those of the surface; the name's parenthesis is open.
+  template <class GradeOf>
+  void add_separated(const std::string& name, const char* of_one, std::size_t index, std::uint32_t first,
+                     std::size_t count, const std::vector<bool>* medial, const GradeOf& grade_of) {
+    if (medial == nullptr) {
+      add_layer(name + ")", of_one, index, first, count, {}, grade_of);
+      return;
+    }
+    add_layer(name + ", medial)", of_one, index, first, count, *medial, grade_of);
+    std::vector<bool> others = *medial;
+    others.flip();
+    add_layer(name + ", of the surface)", of_one, index, first, count, others, grade_of);
+    scene_.layers.back().color = color_of_surface[index];
   }
 
   template <class GradeOf>

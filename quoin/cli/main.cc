@@ -7,6 +7,7 @@
 #include "quoin/cli/commands.h"
 #include "quoin/cli/failure.h"
 #include "quoin/cli/interruption.h"
+#include "quoin/cli/memory_watch.h"
 #include "quoin/cli/streams.h"
 #include "quoin/cli/targets.h"
 
@@ -28,6 +29,7 @@ int run(const Options& options) {
   require_known_targets(options);
   Context context(context_options(options));
   const InterruptionGuard guard(context);
+  const MemoryWatch watch(context, options.memory);
   using Run = int (*)(const Options&, const Context&);
   static const std::map<std::string, Run> runs{{"union", run_boolean},
                                                {"intersection", run_boolean},

@@ -72,6 +72,7 @@ struct Options {
   std::optional<double> simplify;     ///< of `flow`: a difference of distances
   bool reconstruct = false;           ///< of `flow`
   std::optional<double> ratio;        ///< of `flow`
+  bool separate = false;              ///< of `flow`: points of the surface from medial ones
   bool json = false;
   bool quiet = false;
   bool verbose = false;

@@ -117,6 +117,12 @@ class FlowCells {
   void entering_edges(std::uint32_t cell, std::vector<CellSide>& sides) const;
   bool has_entering_polygon(std::uint32_t cell) const;
 
+  /// All facets of a polygon, on this side of it, from one of them.
+  std::vector<CellFacet> polygon(CellFacet facet) const;
+  /// Vertices of the Delone cell of a simplex, and of the polygon of a facet, ascending.
+  std::vector<std::uint32_t> vertices_of(std::uint32_t cell) const;
+  std::vector<std::uint32_t> vertices_of_polygon(CellFacet facet) const;
+
   /// The same facet seen from the other side.
   CellFacet mate(CellFacet facet) const {
     const std::uint32_t other = cells_[facet.cell].neighbours[facet.slot];
@@ -145,10 +151,8 @@ class FlowCells {
   bool is_triangle(CellFacet facet) const;
   CellSide turned_inside(CellSide side) const;
   bool is_inside_polygon(CellSide side) const;
-  std::vector<CellFacet> polygon(CellFacet facet) const;
   std::vector<std::uint32_t> cluster(std::uint32_t cell) const;
   std::vector<CellFacet> polygons_of(std::uint32_t cell) const;
-  std::vector<std::uint32_t> vertices_of(std::uint32_t cell) const;
 
   void find_shapes(const Context& context);
   void find_critical_edges(const Context& context);

@@ -16,6 +16,11 @@ bool insert(std::vector<std::uint32_t>& sorted, std::uint32_t value) {
   return true;
 }
 
+void sort_once(std::vector<std::uint32_t>& list) {
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+}
+
 }  // namespace
 
 /// A polygon is more than a triangle only between two cells that are more than a simplex, or on the hull.
@@ -108,8 +113,16 @@ std::vector<std::uint32_t> FlowCells::vertices_of(std::uint32_t cell) const {
   for (const std::uint32_t c : cluster(cell)) {
     vertices.insert(vertices.end(), cells_[c].vertices.begin(), cells_[c].vertices.end());
   }
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  sort_once(vertices);
+  return vertices;
+}
+
+std::vector<std::uint32_t> FlowCells::vertices_of_polygon(CellFacet facet) const {
+  std::vector<std::uint32_t> vertices;
+  for (const CellFacet& part : polygon(facet)) {
+    for (const unsigned slot : facet_slots[part.slot]) vertices.push_back(cells_[part.cell].vertices[slot]);
+  }
+  sort_once(vertices);
   return vertices;
 }
 

@@ -68,7 +68,7 @@ hull minkowski erode decompose gaussian-map distance width homology persistence 
       alpha)
         options+=" -o --output --format --input-format --plane --memory --weighted --value --radius --pieces --values --exact --graph --persistence --prime --barcode"
         ;;
-      flow) options+=" -o --output --format --input-format --plane --memory --stable --unstable --shape --simplify --reconstruct --ratio" ;;
+      flow) options+=" -o --output --format --input-format --plane --memory --stable --unstable --shape --simplify --reconstruct --ratio --separate" ;;
       assembly)
         options+=" -o --output --format --sequence --sequence-only --infinitesimal --direction --one-part --base --prune --limit"
         ;;

@@ -237,6 +237,14 @@ class Pages(PageTest):
         shape = self.json_of("flow", "-", "--shape", "0.4", stdin=text)["shape"]
         self.assertEqual([row[at] for row in page.counts["Betti numbers"]], shape["betti_numbers"])
 
+    def test_medial_points_have_layers_of_their_own(self):
+        text = text_of(torus(20, 9))
+        told = self.json_of("flow", "-", "--separate", stdin=text)["separation"]
+        page = self.flow_page("--separate", stdin=text)
+        for index, name in ((1, "Midpoints"), (2, "Saddles"), (3, "Maxima")):
+            self.assertEqual(len(page.layers[f"{name} (index {index}, medial)"]), told["medial"][index])
+            self.assertEqual(len(page.layers[f"{name} (index {index}, of the surface)"]), told["surface"][index])
+
     def test_extremes_and_refusals(self):
         self.flow_page(stdin=text_of(CUBE))  # skips where there are no pages
         self.run_quoin("flow", "-", "--stable", "2", "--unstable", "2", "-o", "x.html", "-o", "x.vtk", stdin=text_of(CUBE), code=USAGE)
@@ -426,6 +434,26 @@ class Flow(CommandTest):
         vertices, faces = map(int, lines[1].split()[:2])
         self.assertEqual((faces, 2 * vertices), (report["triangles"], faces))
         self.assertEqual(self.json_of("flow", "t.xyz", "--reconstruct", "--ratio", "0")["solid"]["maxima_inside"], 0)
+
+    def test_medial_points_of_a_torus(self):
+        self.write("t.xyz", text_of(torus(60, 24)))
+        report = self.json_of("flow", "t.xyz", "--separate", "-o", "t.vtk")
+        told = report["separation"]
+        self.assertEqual([a + b for a, b in zip(told["surface"], told["medial"])], report["critical"])
+        self.assertEqual(told["medial"][0], 0)
+        self.assertGreater(min(told["medial"][2:]), 0)
+        self.assertEqual((told["medial"][1], told["disputed"]), (0, [0, 0, 0, 0]))
+        text = self.read("t.vtk").decode()
+        self.assertIn("medial", text)
+        solid = self.json_of("flow", "t.xyz", "--separate", "--reconstruct", "-o", "t.off")["solid"]
+        self.assertEqual((solid["parts_of_space"], solid["unclear_saddles"]), (2, 0))
+        mesh = self.json_of("info", "t.off")
+        self.assertEqual((mesh["closed"], mesh["manifold"], mesh["components"]), (True, True, 1))
+        self.assertAlmostEqual(mesh["volume"], 2 * math.pi ** 2 * 3, delta=3)
+        self.run_quoin("flow", "t.xyz", "--separate", "--reconstruct", "--ratio", "0.5", code=USAGE)
+        flat = self.json_of("flow", "-", "--separate", stdin="0 0 0\n1 0 0\n0 1 0\n")
+        self.assertNotIn("separation", flat)
+        self.assertIn("not separated", flat["warnings"][0])
 
     def test_mistakes(self):
         self.write("c.xyz", text_of(CUBE))

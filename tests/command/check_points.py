@@ -4,6 +4,7 @@
     check_points.py QUOIN
 """
 import itertools
+import os
 import random
 import signal
 import struct
@@ -12,7 +13,7 @@ import time
 from fractions import Fraction
 
 from clouds import CUBE, cloud, determinant, read_vtk, text_of
-from command import OUT_OF_TIME, REFUSED, USAGE, CommandTest, main
+from command import DONE, OUT_OF_TIME, REFUSED, USAGE, CommandTest, main
 
 
 def side(simplex, q):
@@ -192,6 +193,25 @@ class Formats(CommandTest):
             self.assertIn("not welded", self.json_of(command, "c.xyz", "--weld", "1")["warnings"][0])
         self.run_quoin("voronoi", "missing.xyz", "--exact", code=USAGE)
         self.run_quoin("voronoi", "missing.xyz", "-o", "x.html", code=USAGE)
+
+    def most_memory(self, *words):
+        """The exit code and the most memory that the command holds, in bytes."""
+        with open(self.folder / "errors", "wb") as errors:
+            process = subprocess.Popen([self.quoin, *words], cwd=self.folder, stderr=errors, stdout=subprocess.DEVNULL)
+            _, status, usage = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+        return process.returncode, usage.ru_maxrss * 1024
+
+    def test_far_more_cells_than_points_do_not_take_more_memory_than_allowed(self):
+        count = 2000  # on each of two skew lines: its square is the number of cells
+        self.write("skew.xyz", text_of([(i, 0, 0) for i in range(count)] + [(0, i, 1) for i in range(count)]))
+        code, most = self.most_memory("delaunay", "skew.xyz", "--memory", "20", "-o", "out.vtk")
+        self.assertEqual(code, REFUSED)
+        self.assertRegex(self.read("errors").decode(), r"^quoin: stopped at \d+ MB of memory, more than --memory allows\n$")
+        self.assertFalse((self.folder / "out.vtk").exists())
+        code, needed = self.most_memory("delaunay", "skew.xyz", "--memory", "2000")
+        self.assertEqual(code, DONE)
+        self.assertLess(most, needed * 3 // 4)
 
     def test_interruption(self):
         self.write("large.xyz", text_of(cloud(200000, 3)))
