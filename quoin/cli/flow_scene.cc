@@ -163,7 +163,7 @@ class FlowScene {
     add_layer(name + ", medial)", of_one, index, first, count, *medial, grade_of);
     std::vector<bool> others = *medial;
     others.flip();
-    add_layer(name + ", of the surface)", of_one, index, first, count, others, grade_of);
+    add_layer(name + ", surface)", of_one, index, first, count, others, grade_of);
     scene_.layers.back().color = color_of_surface[index];
   }
 

@@ -243,7 +243,7 @@ class Pages(PageTest):
         page = self.flow_page("--separate", stdin=text)
         for index, name in ((1, "Midpoints"), (2, "Saddles"), (3, "Maxima")):
             self.assertEqual(len(page.layers[f"{name} (index {index}, medial)"]), told["medial"][index])
-            self.assertEqual(len(page.layers[f"{name} (index {index}, of the surface)"]), told["surface"][index])
+            self.assertEqual(len(page.layers[f"{name} (index {index}, surface)"]), told["surface"][index])
 
     def test_extremes_and_refusals(self):
         self.flow_page(stdin=text_of(CUBE))  # skips where there are no pages
