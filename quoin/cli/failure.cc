@@ -32,11 +32,22 @@ nlohmann::ordered_json as_json(const Failure& failure) {
   return {{"error", failure.message}, {"exit_code", failure.exit_code}};
 }
 
-void print_failure(const Failure& failure, const Options& options) {
+LastWords words_of(const Failure& failure, const Options& options) {
   using Handler = nlohmann::ordered_json::error_handler_t;
-  if (options.json) report_stream(options) << as_json(failure).dump(2, ' ', false, Handler::replace) << "\n";
-  if (!options.json || !data_goes_to_standard_output(options))
-    note_stream() << "quoin: " << printable(failure.message) << "\n";
+  const bool is_data_on_output = data_goes_to_standard_output(options);
+  LastWords words;
+  if (options.json) {
+    std::string& report = is_data_on_output ? words.error : words.output;
+    report = as_json(failure).dump(2, ' ', false, Handler::replace) + "\n";
+  }
+  if (!options.json || !is_data_on_output) words.error = "quoin: " + printable(failure.message) + "\n";
+  return words;
+}
+
+void print_failure(const Failure& failure, const Options& options) {
+  const LastWords words = words_of(failure, options);
+  if (!words.output.empty()) report_stream(options) << words.output;
+  note_stream() << words.error;
 }
 
 }  // namespace quoin::cli

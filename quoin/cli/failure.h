@@ -5,6 +5,7 @@
 #include <string>
 
 #include "quoin/base/error.h"
+#include "quoin/cli/forced_end.h"
 #include "quoin/cli/options.h"
 
 namespace quoin::cli {
@@ -32,8 +33,10 @@ Failure current_failure();
 /// `error` and `exit_code`.
 nlohmann::ordered_json as_json(const Failure& failure);
 
-/// Says it on standard error and, where --json is given, as JSON where the report would go; once if that is the same
-/// place.
+/// On standard error and, where --json is given, as JSON where the report would go; once if that is the same place.
+LastWords words_of(const Failure& failure, const Options& options);
+
+/// Says these.
 void print_failure(const Failure& failure, const Options& options);
 
 }  // namespace quoin::cli

@@ -4,6 +4,8 @@
 #include <atomic>
 #include <csignal>
 
+#include "quoin/cli/forced_end.h"
+
 namespace quoin::cli {
 
 namespace {
@@ -14,6 +16,7 @@ std::atomic<bool> interrupted{false};
 void cancel_running(int) {
   interrupted = true;
   if (Context* context = running.load()) context->cancel();
+  schedule_forced_end();
 }
 
 }  // namespace

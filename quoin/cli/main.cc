@@ -6,6 +6,7 @@
 #include "quoin/cli/arguments.h"
 #include "quoin/cli/commands.h"
 #include "quoin/cli/failure.h"
+#include "quoin/cli/forced_end.h"
 #include "quoin/cli/interruption.h"
 #include "quoin/cli/memory_watch.h"
 #include "quoin/cli/streams.h"
@@ -24,11 +25,22 @@ ContextOptions context_options(const Options& options) {
   return result;
 }
 
+/// What is on the terminal is erased first: it may be progress.
+LastWords last_words(const char* message, const Options& options) {
+  LastWords words = words_of({message, exit_cancelled}, options);
+  if (progress_goes_to_terminal(options)) words.error.insert(0, erasing_line);
+  return words;
+}
+
 int run(const Options& options) {
   require_single_use_of_streams(options);
   require_known_targets(options);
   Context context(context_options(options));
   const InterruptionGuard guard(context);
+  prepare_forced_end({.interrupted = last_words("cancelled", options),
+                      .out_of_time = last_words("out of time", options),
+                      .seconds = options.timeout,
+                      .exit_code = exit_cancelled});
   const MemoryWatch watch(context, options.memory);
   using Run = int (*)(const Options&, const Context&);
   static const std::map<std::string, Run> runs{{"union", run_boolean},
@@ -71,9 +83,11 @@ int main_with_failures(int argc, char** argv) {
   try {
     const std::optional<int> nothing_to_run = parse_arguments(argc, argv, options);
     const int code = nothing_to_run ? *nothing_to_run : run(options);
+    end_in_order();
     flush_standard_output();
     return code;
   } catch (...) {
+    end_in_order();
     const Failure failure = current_failure();
     print_failure(failure, options);
     std::cout.flush();

@@ -20,7 +20,7 @@ bool progress_is_shown = false;  // the last line of the terminal is one of prog
 
 void erase_progress() {
   if (!progress_is_shown) return;
-  std::cerr << "\r\x1b[K" << std::flush;
+  std::cerr << erasing_line << std::flush;
   progress_is_shown = false;
 }
 
@@ -92,10 +92,13 @@ void flush_standard_output() {
                   (errno != 0 ? std::string(": ") + std::strerror(errno) : ""));
 }
 
+bool progress_goes_to_terminal(const Options& options) {
+  return !options.quiet && isatty(STDERR_FILENO) != 0;
+}
+
 std::function<void(std::string_view stage, double done)> progress_printer(const Options& options) {
-  if (options.quiet) return {};
-  if (isatty(STDERR_FILENO) != 0) return &print_on_terminal;
-  if (options.verbose) return &print_as_lines;
+  if (progress_goes_to_terminal(options)) return &print_on_terminal;
+  if (options.verbose && !options.quiet) return &print_as_lines;
   return {};
 }
 

@@ -36,4 +36,10 @@ void flush_standard_output();
 /// said.
 std::function<void(std::string_view stage, double done)> progress_printer(const Options& options);
 
+/// Whether there is that one line.
+bool progress_goes_to_terminal(const Options& options);
+
+/// What erases it.
+inline constexpr const char* erasing_line = "\r\x1b[K";
+
 }  // namespace quoin::cli

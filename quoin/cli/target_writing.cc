@@ -8,6 +8,7 @@
 #include <string>
 
 #include "quoin/base/error.h"
+#include "quoin/cli/forced_end.h"
 #include "quoin/cli/interruption.h"
 #include "quoin/cli/polled_output.h"
 #include "quoin/cli/streams.h"
@@ -36,14 +37,21 @@ class Replacement {
                              access(target.c_str(), W_OK) == 0;
     if (!is_new && !is_ordinary) return;
     const std::string name = target + ".part" + std::to_string(getpid());
-    file_.open(name, std::ios::binary | std::ios::trunc);
-    if (!file_) return;
-    name_ = name;
+    {
+      WithoutForcedEnd guard;
+      file_.open(name, std::ios::binary | std::ios::trunc);
+      if (!file_) return;
+      name_ = name;
+      guard.remove_at_forced_end(name_.c_str());
+    }
     if (!is_new) std::filesystem::permissions(name_, status.permissions(), error);
   }
   ~Replacement() {
+    if (name_.empty()) return;
+    WithoutForcedEnd guard;
     std::error_code error;
-    if (!name_.empty()) std::filesystem::remove(name_, error);
+    std::filesystem::remove(name_, error);
+    guard.remove_at_forced_end(nullptr);
   }
   Replacement(const Replacement&) = delete;
   Replacement& operator=(const Replacement&) = delete;
@@ -53,9 +61,11 @@ class Replacement {
 
   void take_place() {
     file_.close();
+    WithoutForcedEnd guard;
     std::error_code error;
     if (file_) std::filesystem::rename(name_, target_, error);
     if (!file_ || error) throw FileError(target_ + ": cannot be written");
+    guard.remove_at_forced_end(nullptr);
     name_.clear();
   }
 

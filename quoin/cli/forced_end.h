@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <csignal>
+#include <optional>
+#include <string>
+
+namespace quoin::cli {
+
+/// What a process says as it ends.
+struct LastWords {
+  std::string output;  ///< on standard output
+  std::string error;   ///< on standard error
+};
+
+struct ForcedEndOptions {
+  LastWords interrupted{};
+  LastWords out_of_time{};
+  std::optional<double> seconds{};  ///< the time that there is, from now on
+  int exit_code = 0;
+};
+
+// What was cancelled ends by itself at its next poll. It may be far from one, though: it sorts millions, waits for a
+// device, gives gigabytes back. Some moments after the interruption, or the time limit, the process then ends by force,
+// with the words and the exit code that it would have had, and without files that are not whole. Gigabytes are given
+// back behind its end, by a process that nobody waits for.
+
+/// Sets the time limit. Once in a process; nothing below does anything before.
+void prepare_forced_end(ForcedEndOptions options);
+
+/// After an interruption: the process ends by force unless it ends in order within moments. For signal handlers.
+void schedule_forced_end() noexcept;
+
+/// No forced end comes from now on: the caller says the last words. Does not return where they were said.
+void end_in_order() noexcept;
+
+/// While there is one, a forced end waits: of what has to be done as a whole, and soon.
+class WithoutForcedEnd {
+ public:
+  WithoutForcedEnd() noexcept;
+  ~WithoutForcedEnd();
+  WithoutForcedEnd(const WithoutForcedEnd&) = delete;
+  WithoutForcedEnd& operator=(const WithoutForcedEnd&) = delete;
+
+  /// A forced end removes this file, one at a time; null: none. Kept as a pointer. What was opened or removed or renamed
+  /// under the same guard is never missed.
+  void remove_at_forced_end(const char* name) noexcept;
+
+ private:
+  sigset_t before_{};
+};
+
+}  // namespace quoin::cli
