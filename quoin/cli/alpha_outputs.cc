@@ -109,9 +109,6 @@ std::vector<Triangle> triangles_of_space(const AlphaComplex& alpha, const AlphaI
 class TextLines {
  public:
   TextLines(std::ostream& out, const Context& context) : out_(out), context_(context) {}
-  ~TextLines() { flush(); }
-  TextLines(const TextLines&) = delete;
-  TextLines& operator=(const TextLines&) = delete;
 
   TextLines& text(std::string_view s) {
     block_.append(s);
@@ -128,13 +125,12 @@ class TextLines {
     context_.poll();
     flush();
   }
-
- private:
   void flush() {
     out_ << block_;
     block_.clear();
   }
 
+ private:
   std::ostream& out_;
   const Context& context_;
   std::string block_;
@@ -210,6 +206,7 @@ std::size_t write_filtration(std::ostream& out, const AlphaPoints& points, std::
     for (const std::uint32_t v : alpha.complex().vertices(s)) lines.text(" ").number(points.first_input[v]);
     lines.end();
   }
+  lines.flush();
   return merged;
 }
 
@@ -234,6 +231,7 @@ VtkGrid grid_of_graph(const AlphaPoints& points, const VertexPairs& edges, const
 void write_graph(std::ostream& out, const AlphaPoints& points, const VertexPairs& edges, const Context& context) {
   TextLines lines(out, context);
   for (const auto& [a, b] : edges) lines.number(points.first_input[a]).text(" ").number(points.first_input[b]).end();
+  lines.flush();
 }
 
 }  // namespace quoin::cli

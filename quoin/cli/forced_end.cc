@@ -60,8 +60,8 @@ int wait_for_end_of(void* process) {
   _exit(0);
 }
 
-/// Memory goes with the last process that has it, and whoever waits for this one would wait for gigabytes to go. So that
-/// another has it too, for those moments. Where there cannot be one, this process takes longer.
+/// Memory goes with the last process that has it, and whoever waits for this one would wait for gigabytes to go. So
+/// that another has it too, for those moments. Where there cannot be one, this process takes longer.
 void leave_memory_to_another() {
   alignas(16) static std::array<char, 16384> stack;
   static pid_t self = 0;

@@ -42,8 +42,8 @@ class WithoutForcedEnd {
   WithoutForcedEnd(const WithoutForcedEnd&) = delete;
   WithoutForcedEnd& operator=(const WithoutForcedEnd&) = delete;
 
-  /// A forced end removes this file, one at a time; null: none. Kept as a pointer. What was opened or removed or renamed
-  /// under the same guard is never missed.
+  /// A forced end removes this file, one at a time; null: none. Kept as a pointer. What was opened or removed or
+  /// renamed under the same guard is never missed.
   void remove_at_forced_end(const char* name) noexcept;
 
  private:

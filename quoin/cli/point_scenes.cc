@@ -2,6 +2,9 @@
 #include "quoin/cli/point_scenes.h"
 
 #include <algorithm>
+#include <numeric>
+
+#include "quoin/base/polled_resize.h"
 
 namespace quoin::cli {
 
@@ -16,20 +19,38 @@ constexpr Color edge_color{105, 116, 132, 255};
 constexpr Color face_color{125, 158, 198, 255};
 constexpr Color see_through{125, 158, 198, 70};
 
-/// The edges of simplices of so many vertices, each once.
-std::vector<std::array<std::uint32_t, 2>> edges_of(const TriangulatedPoints& made, const Context& context) {
+using Edge = std::array<std::uint32_t, 2>;
+
+/// `visit(a, b)` for each edge of each simplex, a < b.
+template <class Visit>
+void for_each_edge(const TriangulatedPoints& made, const Context& context, const Visit& visit) {
   const auto size = static_cast<std::size_t>(made.dimension) + 1;
-  std::vector<std::array<std::uint32_t, 2>> edges;
-  edges.reserve(made.simplices.size() * size * (size - 1) / 2);
   for (std::size_t i = 0; i < made.simplices.size(); ++i) {
     if (i % poll_step == 0) context.poll();
     const auto& v = made.simplices[i];
     for (std::size_t b = 1; b < size; ++b) {
-      for (std::size_t a = 0; a < b; ++a) edges.push_back({std::min(v[a], v[b]), std::max(v[a], v[b])});
+      for (std::size_t a = 0; a < b; ++a) visit(std::min(v[a], v[b]), std::max(v[a], v[b]));
     }
   }
-  std::ranges::sort(edges);
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+}
+
+/// The edges of the simplices in their order, each once: in buckets by the first vertex, then within these.
+std::vector<Edge> edges_of(const TriangulatedPoints& made, const Context& context) {
+  std::vector<std::size_t> end(made.first_input.size() + 1, 0);  // at first: where the bucket before ends
+  for_each_edge(made, context, [&](std::uint32_t a, std::uint32_t) { ++end[a + 1]; });
+  std::partial_sum(end.begin(), end.end(), end.begin());
+  std::vector<std::uint32_t> others;
+  resize_and_poll(others, end.back(), context);
+  for_each_edge(made, context, [&](std::uint32_t a, std::uint32_t b) { others[end[a]++] = b; });
+  std::vector<Edge> edges;
+  auto from = others.begin();
+  for (std::uint32_t a = 0; a < made.first_input.size(); ++a) {
+    if (a % poll_step == 0) context.poll();
+    const auto to = others.begin() + static_cast<std::ptrdiff_t>(end[a]);
+    std::sort(from, to);
+    std::for_each(from, std::unique(from, to), [&](std::uint32_t b) { edges.push_back({a, b}); });
+    from = to;
+  }
   return edges;
 }
 

@@ -16,11 +16,11 @@
 
 namespace quoin::io {
 
-/// Collects output in blocks of some size before it goes to the stream.
+/// Collects output in blocks of some size before it goes to the stream, the last of them with `finish`. Where that is
+/// not reached, by an exception, the rest is lost: a stream may throw too, for the same reason.
 class BlockWriter {
  public:
   BlockWriter(std::ostream& out, const Context& context) : out_(out), context_(context) {}
-  ~BlockWriter() { flush(); }
   BlockWriter(const BlockWriter&) = delete;
   BlockWriter& operator=(const BlockWriter&) = delete;
 
@@ -55,6 +55,8 @@ class BlockWriter {
     }
     return text({bytes.data(), bytes.size()});
   }
+
+  void finish() { flush(); }
 
   BlockWriter& point(const Point3& p) { return number(p.x).text(" ").number(p.y).text(" ").number(p.z); }
 

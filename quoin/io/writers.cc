@@ -148,30 +148,29 @@ WriteReport write_mesh(std::ostream& stream, MeshFormat format, const Mesh& mesh
   require_written(format);
   if (is_triangles_only(format)) require_triangles(mesh);
   WriteReport report = report_on(format, mesh, data);
-  {
-    BlockWriter out(stream, context);
-    switch (format) {
-      case MeshFormat::off:
-        write_off(out, mesh);
-        break;
-      case MeshFormat::obj:
-        write_obj(out, mesh, data);
-        break;
-      case MeshFormat::stl_text:
-        write_stl_text(out, mesh);
-        break;
-      case MeshFormat::stl_binary:
-        write_stl_binary(out, mesh);
-        break;
-      case MeshFormat::ply_text:
-      case MeshFormat::ply_binary_little:
-      case MeshFormat::ply_binary_big:
-        io::write_ply(out, format, mesh, data);
-        break;
-      case MeshFormat::threemf:
-        break;  // refused above
-    }
+  BlockWriter out(stream, context);
+  switch (format) {
+    case MeshFormat::off:
+      write_off(out, mesh);
+      break;
+    case MeshFormat::obj:
+      write_obj(out, mesh, data);
+      break;
+    case MeshFormat::stl_text:
+      write_stl_text(out, mesh);
+      break;
+    case MeshFormat::stl_binary:
+      write_stl_binary(out, mesh);
+      break;
+    case MeshFormat::ply_text:
+    case MeshFormat::ply_binary_little:
+    case MeshFormat::ply_binary_big:
+      io::write_ply(out, format, mesh, data);
+      break;
+    case MeshFormat::threemf:
+      break;  // refused above
   }
+  out.finish();
   return report;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "quoin/base/error.h"
+#include "quoin/base/polled_resize.h"
 
 namespace quoin {
 
@@ -22,17 +23,6 @@ struct Facet {
 
 void require_few(std::size_t rows, std::size_t width) {
   if (rows >= most_rows) throw InputError("2^32 simplices of dimension " + std::to_string(width - 1) + " or more");
-}
-
-/// Memory of gigabytes is touched for the first time.
-template <class T>
-void resize_and_poll(std::vector<T>& list, std::size_t size, const Context& context) {
-  constexpr std::size_t step = std::size_t{1} << 20;
-  list.reserve(size);
-  while (list.size() < size) {
-    context.poll();
-    list.resize(std::min(size, list.size() + step));
-  }
 }
 
 }  // namespace
@@ -55,6 +45,7 @@ void CellComplexBuilder::number_vertices() {
     is_used[given_[i]] = true;
   }
   for (std::size_t label = 0; label < is_used.size(); ++label) {
+    if (label % poll_interval == 0) context_.poll();
     if (is_used[label]) labels.push_back(static_cast<std::uint32_t>(label));
   }
 }
@@ -65,7 +56,10 @@ void CellComplexBuilder::sort_cells() {
   using Row = std::array<std::uint32_t, W>;
   const std::vector<std::uint32_t>& labels = result_.labels_;
   std::vector<std::uint32_t> number(std::size_t{labels.back()} + 1);
-  for (std::uint32_t v = 0; v < labels.size(); ++v) number[labels[v]] = v;
+  for (std::uint32_t v = 0; v < labels.size(); ++v) {
+    if (v % poll_interval == 0) context_.poll();
+    number[labels[v]] = v;
+  }
   const std::size_t count = given_.size() / W;
   std::vector<std::size_t> begin(labels.size() + 1, 0);
   for (std::size_t i = 0; i < count; ++i) {

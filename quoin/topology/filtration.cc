@@ -6,12 +6,14 @@
 #include "quoin/base/error.h"
 #include "quoin/base/large_vector.h"
 #include "quoin/base/parallel_sort.h"
+#include "quoin/base/polled_resize.h"
 #include "quoin/topology/complex_builder.h"
 
 namespace quoin {
 
 namespace {
 
+constexpr std::size_t poll_interval = 4096;
 constexpr std::uint32_t not_listed = ComplexBuilder::not_listed;
 
 std::string name_of(const std::vector<std::uint32_t>& vertices) {
@@ -28,7 +30,7 @@ void require_faces_first(const Filtration& filtration, const Context& context) {
   const SimplicialComplex& complex = filtration.complex;
   for (int k = 1; k <= complex.dimension(); ++k) {
     for (std::uint32_t i = 0; i < complex.count(k); ++i) {
-      if (i % 4096 == 0) context.poll();
+      if (i % poll_interval == 0) context.poll();
       for (const std::uint32_t facet : complex.facets({k, i})) {
         if (filtration.grade[k - 1][facet] > filtration.grade[k][i])
           throw InputError(name_of(complex, {k, i}) + " enters before its face " + name_of(complex, {k - 1, facet}));
@@ -39,13 +41,21 @@ void require_faces_first(const Filtration& filtration, const Context& context) {
 
 // Counts where there are not many more grades than simplices.
 std::vector<std::uint32_t> order_by_grade(const std::vector<std::uint32_t>& grade, const Context& context) {
-  std::vector<std::uint32_t> order(grade.size());
+  std::vector<std::uint32_t> order;
+  resize_and_poll(order, grade.size(), context);
   const std::size_t grades = grade.empty() ? 0 : std::size_t{*std::max_element(grade.begin(), grade.end())} + 1;
   if (grades / 8 <= grade.size()) {
-    LargeVector<std::uint32_t> next(grades + 1, 0);
-    for (const std::uint32_t g : grade) ++next[g + 1];
-    for (std::size_t g = 1; g < grades; ++g) next[g] += next[g - 1];
-    for (std::uint32_t i = 0; i < grade.size(); ++i) order[next[grade[i]]++] = i;
+    LargeVector<std::uint32_t> next;
+    resize_and_poll(next, grades + 1, context);
+    const auto for_each = [&](std::size_t end, const auto& visit) {
+      for (std::size_t i = 0; i < end; ++i) {
+        if (i % poll_interval == 0) context.poll();
+        visit(i);
+      }
+    };
+    for_each(grade.size(), [&](std::size_t i) { ++next[grade[i] + 1]; });
+    for_each(grades, [&](std::size_t g) { next[g + 1] += next[g]; });
+    for_each(grade.size(), [&](std::size_t i) { order[next[grade[i]]++] = static_cast<std::uint32_t>(i); });
     return order;
   }
   std::vector<std::uint64_t> keys(grade.size());

@@ -85,7 +85,7 @@ void require_prime(std::uint32_t p) {
 }  // namespace
 
 OrderedBoundaries collapsed(const SimplicialComplex& complex, const Context& context) {
-  return {complex, collapse_order(complex, context).simplices};
+  return {complex, collapse_order(complex, context).simplices, context};
 }
 
 std::vector<std::size_t> betti_numbers(const SimplicialComplex& complex, std::uint32_t p, const Context& context) {

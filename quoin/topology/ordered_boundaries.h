@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "quoin/base/context.h"
 #include "quoin/base/large_vector.h"
 #include "quoin/topology/simplicial_complex.h"
 
@@ -15,7 +16,8 @@ namespace quoin {
 class OrderedBoundaries {
  public:
   /// `order[k][r]` is the simplex of rank r among those of dimension k.
-  OrderedBoundaries(const SimplicialComplex& complex, const std::vector<std::vector<std::uint32_t>>& order);
+  OrderedBoundaries(const SimplicialComplex& complex, const std::vector<std::vector<std::uint32_t>>& order,
+                    const Context& context);
 
   int dimension() const { return static_cast<int>(count_.size()) - 1; }
   std::size_t count(int k) const { return k < 0 || k > dimension() ? 0 : count_[k]; }
@@ -59,7 +61,7 @@ class BoundaryColumns {
 /// Columns are coboundaries of simplices of dimension k, in reverse order as their rows, those of dimension k + 1, are.
 class CoboundaryColumns {
  public:
-  CoboundaryColumns(const OrderedBoundaries& boundaries, int k);
+  CoboundaryColumns(const OrderedBoundaries& boundaries, int k, const Context& context);
 
   std::size_t rows() const { return rows_; }
   std::size_t columns() const { return begin_.size() - 1; }

@@ -53,7 +53,7 @@ class Pairing {
     if (method != PersistenceMethod::automatic) return false;
     const int d = boundaries_.dimension();
     if (has_branching_wall()) return false;
-    pair_dual_components(boundaries_, CoboundaryColumns(boundaries_, d - 1), prime_ == 2, context_,
+    pair_dual_components(boundaries_, CoboundaryColumns(boundaries_, d - 1, context_), prime_ == 2, context_,
                          [&](std::uint32_t birth, std::uint32_t death) { note(d - 1, birth, death); });
     return true;
   }
@@ -92,7 +92,7 @@ class Pairing {
   }
 
   void reduce_coboundaries(int k) {
-    const CoboundaryColumns matrix(boundaries_, k);
+    const CoboundaryColumns matrix(boundaries_, k, context_);
     reduce(matrix, [&](auto& reduction) {
       for (std::uint32_t column = 0; column < matrix.columns(); ++column) {
         const std::uint32_t rank = matrix.column_of(column);
@@ -117,12 +117,13 @@ std::vector<PersistencePair> persistence(const Filtration& filtration, const Per
   if (options.prime >= std::uint32_t{1} << 31 || !is_prime(options.prime))
     throw InputError(std::to_string(options.prime) + " is not a prime number below 2^31");
   const auto order = filtration_order(filtration, context);
-  const OrderedBoundaries boundaries(filtration.complex, order);
+  const OrderedBoundaries boundaries(filtration.complex, order, context);
   Pairing pairing(boundaries, options.prime, context);
   pairing.run(options.method);
   std::vector<PersistencePair> pairs;
   for (int k = 0; k <= boundaries.dimension(); ++k) {
     for (std::uint32_t rank = 0; rank < boundaries.count(k); ++rank) {
+      if (rank % 16384 == 0) context.poll();
       if (pairing.is_death(k, rank)) continue;
       PersistencePair pair{k, order[k][rank]};
       const std::uint32_t death = pairing.death(k, rank);

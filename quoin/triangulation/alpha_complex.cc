@@ -9,6 +9,7 @@
 
 #include "quoin/base/error.h"
 #include "quoin/base/parallel.h"
+#include "quoin/base/polled_resize.h"
 #include "quoin/triangulation/delaunay2.h"
 #include "quoin/triangulation/delaunay3.h"
 #include "quoin/triangulation/exact_ranks.h"
@@ -96,6 +97,7 @@ void AlphaComplex::build(const std::vector<std::uint32_t>& cells, int dimension,
   std::vector<Point3> points(complex.count(0));
   std::vector<double> weights(is_weighted ? points.size() : 0);
   for (std::uint32_t v = 0; v < points.size(); ++v) {
+    if (v % poll_interval == 0) context.poll();
     points[v] = point(complex.label(v));
     if (is_weighted) weights[v] = weight(complex.label(v));
   }
@@ -108,7 +110,8 @@ void AlphaComplex::build(const std::vector<std::uint32_t>& cells, int dimension,
 template <class Look>
 void AlphaComplex::look_at_facets(int k, const Look& look, const Context& context) {
   const SimplicialComplex& complex = filtration_.complex;
-  std::vector<std::uint8_t> places(complex.count(k));
+  std::vector<std::uint8_t> places;
+  resize_and_poll(places, complex.count(k), context);
   for_each_chunk(context, places.size(), grain, [&](const Chunk& chunk) {
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
       places[i] = look(complex.vertices({k, static_cast<std::uint32_t>(i)}), i);
@@ -127,11 +130,12 @@ void AlphaComplex::look_at_facets(int k, const Look& look, const Context& contex
 /// And the powers of tetrahedra, as these are known by then; there is room for others.
 std::vector<Interval> AlphaComplex::find_places(const Context& context) {
   const SimplicialComplex& complex = filtration_.complex;
-  for (int k = 0; k <= dimension(); ++k) place_.emplace_back(complex.count(k), Place::empty);
+  for (int k = 0; k <= dimension(); ++k)
+    resize_and_poll(place_.emplace_back(), complex.count(k), context, Place::empty);
   const auto bits = [](Sign side, std::size_t j) { return static_cast<unsigned>(place_of(side)) << 2 * j; };
   std::vector<Interval> powers;
   powers.reserve(complex.size());
-  powers.resize(complex.count(3));
+  resize_and_poll(powers, complex.count(3), context);
   const auto look_in_cell = [&](SmallestSpheres::Simplex v, std::size_t i) {
     const SmallestSpheres::Cell cell = spheres_.cell({v[0], v[1], v[2], v[3]});
     powers[i] = cell.power;
@@ -178,7 +182,7 @@ void AlphaComplex::find_grades(std::vector<Interval> bounds, const Context& cont
     return SimplexId{k, owner[item]};
   };
   const std::size_t known = bounds.size();
-  bounds.resize(owner.size());
+  resize_and_poll(bounds, owner.size(), context);
   for_each_chunk(context, owner.size() - known, grain, [&](const Chunk& chunk) {
     for (std::size_t i = known + chunk.begin; i < known + chunk.end; ++i) {
       bounds[i] = spheres_.power(complex.vertices(simplex_of(static_cast<std::uint32_t>(i))));
@@ -192,12 +196,19 @@ void AlphaComplex::find_grades(std::vector<Interval> bounds, const Context& cont
   const std::uint32_t zeros = lowest == 1 && complex.count(0) > 0 ? 1 : 0;
   simplex_of_grade_.reserve(ranks.first.size() + zeros);
   if (zeros > 0) simplex_of_grade_.push_back({0, 0});
-  for (const std::uint32_t item : ranks.first) simplex_of_grade_.push_back(simplex_of(item));
+  for (std::size_t i = 0; i < ranks.first.size(); ++i) {
+    if (i % poll_interval == 0) context.poll();
+    simplex_of_grade_.push_back(simplex_of(ranks.first[i]));
+  }
 
   std::vector<std::vector<std::uint32_t>>& grade = filtration_.grade;
-  for (int k = 0; k <= dimension(); ++k) grade.emplace_back(complex.count(k), k < lowest ? 0 : none);
+  for (int k = 0; k <= dimension(); ++k)
+    resize_and_poll(grade.emplace_back(), complex.count(k), context, k < lowest ? 0 : none);
   for (int k = lowest; k <= dimension(); ++k) {
-    for (std::uint32_t item = begin[k + 1]; item < begin[k]; ++item) grade[k][owner[item]] = ranks.rank[item] + zeros;
+    for (std::uint32_t item = begin[k + 1]; item < begin[k]; ++item) {
+      if (item % poll_interval == 0) context.poll();
+      grade[k][owner[item]] = ranks.rank[item] + zeros;
+    }
   }
   for (int k = dimension(); k > lowest; --k) {
     for (std::uint32_t i = 0; i < complex.count(k); ++i) {
@@ -233,17 +244,28 @@ std::uint32_t AlphaComplex::grades_up_to(double value) const {
   return grades_up_to(Rational(value));
 }
 
-std::vector<SimplexId> AlphaComplex::order(const Context& context) const {
-  std::vector<std::size_t> next(std::size_t{grade_count()} + 1, 0);
-  for (const auto& grades : filtration_.grade) {
-    for (const std::uint32_t grade : grades) ++next[grade + 1];
-  }
-  for (std::size_t g = 1; g < next.size(); ++g) next[g] += next[g - 1];
-  std::vector<SimplexId> order(complex().size());
+/// Those of each dimension after those below.
+template <class Visit>
+void AlphaComplex::for_each_simplex(const Context& context, const Visit& visit) const {
   for (int k = 0; k <= dimension(); ++k) {
-    context.poll();
-    for (std::uint32_t i = 0; i < complex().count(k); ++i) order[next[grade_of({k, i})]++] = {k, i};
+    for (std::uint32_t i = 0; i < complex().count(k); ++i) {
+      if (i % poll_interval == 0) context.poll();
+      visit(SimplexId{k, i});
+    }
   }
+}
+
+std::vector<SimplexId> AlphaComplex::order(const Context& context) const {
+  std::vector<std::size_t> next;
+  resize_and_poll(next, std::size_t{grade_count()} + 1, context);
+  for_each_simplex(context, [&](SimplexId s) { ++next[grade_of(s) + 1]; });
+  for (std::size_t g = 1; g < next.size(); ++g) {
+    if (g % poll_interval == 0) context.poll();
+    next[g] += next[g - 1];
+  }
+  std::vector<SimplexId> order;
+  resize_and_poll(order, complex().size(), context);
+  for_each_simplex(context, [&](SimplexId s) { order[next[grade_of(s)]++] = s; });
   return order;
 }
 

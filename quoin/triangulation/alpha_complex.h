@@ -85,6 +85,8 @@ class AlphaComplex {
   }
   template <class Look>
   void look_at_facets(int k, const Look& look, const Context& context);
+  template <class Visit>
+  void for_each_simplex(const Context& context, const Visit& visit) const;
   std::vector<Interval> find_places(const Context& context);
   void find_grades(std::vector<Interval> bounds, const Context& context);
 

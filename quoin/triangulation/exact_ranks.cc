@@ -11,12 +11,14 @@
 #include <utility>
 
 #include "quoin/base/large_vector.h"
+#include "quoin/base/polled_resize.h"
 
 namespace quoin {
 
 namespace {
 
 constexpr std::size_t poll_interval = 256;
+constexpr std::size_t many_places = 65536;  // what is done between polls where places are only moved
 constexpr std::size_t few = 8;
 constexpr int bits_of_keys = 190;
 
@@ -54,19 +56,27 @@ void sort_places(LargeVector<Place>& places, const Context& context) {
   };
   std::array<std::vector<std::size_t>, passes> next;
   next.fill(std::vector<std::size_t>(digits + 1, 0));
-  for (const Place& place : places) {
+  const auto for_each_place = [&](const auto& visit) {
+    for (std::size_t begin = 0; begin < places.size(); begin += many_places) {
+      context.poll();
+      for (std::size_t i = begin; i < std::min(places.size(), begin + many_places); ++i) visit(places[i]);
+    }
+  };
+  for_each_place([&](const Place& place) {
     for (int pass = 0; pass < passes; ++pass) ++next[pass][digit(place, pass) + 1];
-  }
-  LargeVector<Place> sorted(places.size());
+  });
+  LargeVector<Place> sorted;
+  resize_and_poll(sorted, places.size(), context);
   for (int pass = 0; pass < passes; ++pass) {
-    context.poll();
     if (std::find(next[pass].begin(), next[pass].end(), places.size()) != next[pass].end()) continue;  // one digit
     std::partial_sum(next[pass].begin(), next[pass].end(), next[pass].begin());
-    for (const Place& place : places) sorted[next[pass][digit(place, pass)]++] = place;
+    for_each_place([&](const Place& place) { sorted[next[pass][digit(place, pass)]++] = place; });
     std::swap(places, sorted);
   }
   const auto is_less = [](const Place& a, const Place& b) { return a.key < b.key; };
+  std::size_t steps = 0;
   for (std::size_t begin = 0; begin < places.size();) {
+    if (steps++ % many_places == 0) context.poll();
     std::size_t end = begin + 1;
     while (end < places.size() && places[end].key >> first_shift == places[begin].key >> first_shift) ++end;
     const auto from = places.begin() + static_cast<std::ptrdiff_t>(begin);
@@ -82,15 +92,19 @@ class Ranking {
       : bounds_(bounds), source_(source), context_(context) {}
 
   ExactRanks run() {
-    result_.rank.resize(bounds_.size());
-    LargeVector<Place> places(bounds_.size());
+    resize_and_poll(result_.rank, bounds_.size(), context_);
+    LargeVector<Place> places;
+    resize_and_poll(places, bounds_.size(), context_);
     for (std::uint32_t i = 0; i < bounds_.size(); ++i) {
+      if (i % many_places == 0) context_.poll();
       places[i] = {ordered_bits(bounds_[i].lower()), i, width_of(bounds_[i])};
     }
     sort_places(places, context_);
     result_.first.reserve(places.size());
     std::vector<std::uint32_t> cluster;
+    std::size_t steps = 0;
     for (std::size_t begin = 0; begin < places.size();) {
+      if (steps++ % many_places == 0) context_.poll();
       double end = upper_end(places[begin]);
       std::size_t i = begin + 1;
       for (; i < places.size() && of_ordered_bits(places[i].key) <= end; ++i) end = std::max(end, upper_end(places[i]));
