@@ -8,7 +8,8 @@
 
 namespace quoin {
 
-/// `list.resize(size, value)`, and polls: memory that is touched for the first time takes up to a second per gigabyte.
+/// `list.resize(size, value)` of a list that is not longer, and polls: memory that is touched for the first time takes
+/// up to a second per gigabyte.
 template <class Vector>
 void resize_and_poll(Vector& list, std::size_t size, const Context& context,
                      const typename Vector::value_type& value = {}) {

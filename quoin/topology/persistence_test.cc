@@ -9,6 +9,7 @@
 #include "quoin/base/test_rounds.h"
 #include "quoin/topology/homology.h"
 #include "quoin/topology/incremental_betti.h"
+#include "quoin/topology/ordered_boundaries.h"
 #include "quoin/topology/test_complexes.h"
 
 namespace quoin {
@@ -253,6 +254,40 @@ TEST(Persistence, LowerStarsOfAHeightOnATorus) {
   const Filtration filtration = lower_star_filtration(torus, heights);
   const Diagram diagram = diagram_of(filtration, persistence(filtration, {}, Context()));
   EXPECT_EQ(diagram, (Diagram{{0, 0, -1}, {1, 4, -1}, {1, 40, -1}, {2, 44, -1}}));
+}
+
+/// Edges of a cycle, in reverse order: every step takes them all.
+Filtration cycle_of_edges(std::uint32_t count) {
+  SimplexList edges;
+  for (std::uint32_t i = 0; i < count; ++i) edges.add(std::array{i, (i + 1) % count});
+  Filtration filtration{SimplicialComplex::closure_of(edges, Context()), {}};
+  filtration.grade.emplace_back(count, 0);
+  filtration.grade.emplace_back();
+  for (std::uint32_t i = 0; i < count; ++i) filtration.grade[1].push_back(count - i);
+  return filtration;
+}
+
+TEST(Persistence, PollsAtEveryStepOfItsSimplices) {
+  constexpr std::uint64_t unlimited = 1'000'000'000;
+  constexpr std::uint64_t interval = 4096;
+  const Filtration filtration = cycle_of_edges(100'000);
+  const std::uint64_t size = filtration.complex.size();
+  const Context ordering({.threads = 1, .most_polls = unlimited});
+  const auto order = filtration_order(filtration, ordering);
+  EXPECT_GT(ordering.polls(), 2 * size / interval);  // grades are counted, and simplices put in their places
+  const Context listing({.threads = 1, .most_polls = unlimited});
+  const OrderedBoundaries boundaries(filtration.complex, order, listing);
+  EXPECT_GT(listing.polls(), size / interval);
+  const Context turning({.threads = 1, .most_polls = unlimited});
+  const CoboundaryColumns columns(boundaries, 0, turning);
+  EXPECT_GT(turning.polls(), 2 * size / interval);
+  const Context all({.threads = 1, .most_polls = unlimited});
+  const std::size_t pairs = persistence(filtration, {}, all).size();
+  for (std::uint64_t sixteenths = 0; sixteenths < 16; ++sixteenths) {
+    const Context some({.threads = 1, .most_polls = all.polls() * sixteenths / 16});
+    EXPECT_THROW(persistence(filtration, {}, some), Cancelled);
+  }
+  EXPECT_EQ(persistence(filtration, {}, Context()).size(), pairs);
 }
 
 TEST(Filtration, RefusesWhatIsNone) {

@@ -360,6 +360,26 @@ TEST(AlphaComplex, OrderOfTheInputAndScaleChangeNothing) {
   }
 }
 
+/// Steps that compute nothing, but take long where there are many simplices, poll as often as others.
+TEST(AlphaComplex, PollsAtEveryStepOfItsSimplices) {
+  constexpr std::uint64_t unlimited = 1'000'000'000;
+  Random random(12);
+  const Delaunay3 triangulation(testing::random_points(random, 3000, testing::unit), context());
+  const Context building({.threads = 1, .most_polls = unlimited});
+  const AlphaComplex alpha(triangulation, building);
+  const std::uint64_t size = alpha.complex().size();
+  EXPECT_GT(building.polls(), 6 * size / 1024);
+  const Context ordering({.threads = 1, .most_polls = unlimited});
+  const std::vector<SimplexId> order = alpha.order(ordering);
+  EXPECT_GT(ordering.polls(), 2 * size / 1024);
+  for (std::uint64_t sixteenths = 0; sixteenths < 16; ++sixteenths) {
+    EXPECT_THROW(AlphaComplex(triangulation, Context({.threads = 1, .most_polls = building.polls() * sixteenths / 16})),
+                 Cancelled);
+    EXPECT_THROW(alpha.order(Context({.threads = 1, .most_polls = ordering.polls() * sixteenths / 16})), Cancelled);
+  }
+  EXPECT_EQ(alpha.order(context()), order);
+}
+
 TEST(AlphaComplex, OrderIsByValueThenDimensionThenVertices) {
   Random random(5);
   for (const Cloud& cloud : testing::clouds(random, 30)) {
