@@ -27,8 +27,9 @@ double magnitude(const Point3& p) {
 
 }  // namespace
 
-ChangingPoints3::ChangingPoints3(VertexPoints points)
-    : points_(std::move(points.points)),
+ChangingPoints3::ChangingPoints3(VertexPoints points, Scaling scaling)
+    : scaling_(scaling),
+      points_(std::move(points.points)),
       count_(points_.size()),
       scale_(1 / points.unscale),
       unscale_(points.unscale),
@@ -158,6 +159,7 @@ void ChangingPoints3::hold(const Point3& p) {
 /// A scale that was refused is tried again after a step of 2^64 only: at most 32 times while bounds do nothing but
 /// grow.
 bool ChangingPoints3::is_scale_right(const Point3& p) const {
+  if (scaling_ == Scaling::none) return true;
   if (!scales_exactly(p, scale_)) return false;
   if (filter_scale(largest_ * scale_) == 1) return true;
   const double step = filter_scale(largest_) / tried_scale_;
@@ -166,7 +168,7 @@ bool ChangingPoints3::is_scale_right(const Point3& p) const {
 
 void ChangingPoints3::choose_scale(const Point3& p) {
   tried_scale_ = filter_scale(largest_);
-  double scale = scales_exactly(p, tried_scale_) ? tried_scale_ : 1;
+  double scale = scaling_ == Scaling::allowed && scales_exactly(p, tried_scale_) ? tried_scale_ : 1;
   for (std::uint32_t id = 0; id < points_.size() && scale != 1; ++id) {
     if (is_used(id) && !scales_exactly(original(id), scale)) scale = 1;
   }

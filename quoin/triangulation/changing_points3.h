@@ -17,16 +17,19 @@ namespace quoin {
 /// Points of space that come and go, each with an id that stays while it lives and is used again after; how often each
 /// is there; and what the predicates of a triangulation need to know of all of them.
 ///
-/// They are kept times a power of two that brings them into the range of the filters, where that rounds none of them.
-/// Bounds grow with each point, and are found anew once more points have gone than are left. So they are never wrong,
-/// at times wider than they need be, and take O(1) per change on average.
+/// Where scaling is allowed they are kept times a power of two that brings them into the range of the filters, if that
+/// rounds none of them. Bounds grow with each point, and are found anew once more points have gone than are left. So
+/// they are never wrong, at times wider than they need be, and take O(1) per change on average.
 ///
 /// If all points lie in a plane, one more may have an id, but not be there: the apex, off the plane.
 class ChangingPoints3 {
  public:
-  ChangingPoints3() = default;
+  using Site = Point3;
+  using Signs = DelaunaySigns;
+
+  explicit ChangingPoints3(Scaling scaling = Scaling::allowed) : scaling_(scaling) {}
   /// Ids are numbers of vertices.
-  explicit ChangingPoints3(VertexPoints points);
+  explicit ChangingPoints3(VertexPoints points, Scaling scaling = Scaling::allowed);
 
   /// An id for a point, which is finite and without negative zeros: there once. Where it throws nothing has changed.
   /// @throws InputError where there are more than 2^30 ids
@@ -49,6 +52,7 @@ class ChangingPoints3 {
   std::size_t count() const { return count_; }
   /// One past the largest.
   std::size_t id_count() const { return points_.size(); }
+  bool is_used(std::uint32_t id) const { return multiplicity_[id] > 0 || id == apex_; }
   std::uint32_t multiplicity(std::uint32_t id) const { return id < points_.size() ? multiplicity_[id] : 0; }
   Point3 original(std::uint32_t id) const {
     const Point3& p = points_[id];
@@ -62,8 +66,14 @@ class ChangingPoints3 {
   /// vertex_at_infinity if none of these is there.
   std::uint32_t one_near(const Point3& p) const;
 
-  /// Valid until the next change.
-  DelaunaySigns signs() const { return {{points_.data(), points_.size()}, extent_.extent(), apex_}; }
+  Point3 site(std::uint32_t id) const { return original(id); }
+  /// Lexicographic order.
+  bool is_before(std::uint32_t id, const Point3& p) const { return lexicographically_less(original(id), p); }
+
+  /// By id, scaled; valid until the next change, as are signs.
+  std::span<const Point3> scaled_points() const { return {points_.data(), points_.size()}; }
+  PointExtent extent() const { return extent_.extent(); }
+  DelaunaySigns signs() const { return {scaled_points(), extent(), apex_}; }
 
  private:
   std::uint32_t new_id(const Point3& p);
@@ -71,9 +81,9 @@ class ChangingPoints3 {
   bool is_scale_right(const Point3& p) const;
   void choose_scale(const Point3& p);
   void find_bounds();
-  bool is_used(std::uint32_t id) const { return multiplicity_[id] > 0 || id == apex_; }
   Point3 scaled(const Point3& p) const { return {p.x * scale_, p.y * scale_, p.z * scale_}; }
 
+  Scaling scaling_;
   LargeVector<Point3> points_;  ///< scaled
   std::vector<std::uint32_t> multiplicity_;
   std::vector<std::uint32_t> free_;

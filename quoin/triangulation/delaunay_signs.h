@@ -53,6 +53,8 @@ class DelaunaySigns {
  public:
   static constexpr bool may_hide = false;
 
+  /// Of no points.
+  DelaunaySigns() : DelaunaySigns({}, PointExtent(), no_vertex) {}
   /// If the points lie in one plane but for the last, `is_flat`: then four of the others are coplanar without a test.
   DelaunaySigns(std::span<const Point3> points, bool is_flat);
   /// Of points within an extent, some of which may be none of the triangulation and lie anywhere. If those that are lie

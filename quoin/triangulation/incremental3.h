@@ -110,12 +110,21 @@ class IncrementalTriangulation {
 
   /// The same where the cell is known that `locate` would find.
   template <class Region, class WhenHidden>
-  Place insert_at(std::uint32_t found, std::uint32_t q, const Region& region,
-                  [[maybe_unused]] const WhenHidden& when_hidden) {
+  Place insert_at(std::uint32_t found, std::uint32_t q, const Region& region, const WhenHidden& when_hidden) {
     if constexpr (Signs::may_hide) {
-      if (!conflict_.has(found, q)) return Place::hidden;
+      if (hides(found, q)) return Place::hidden;
     }
     if (!open(found, q, region)) return Place::late;
+    fill(q, when_hidden);
+    return Place::inserted;
+  }
+
+  /// Whether a vertex that is not inserted would be hidden; `found` is what `locate` gave.
+  bool hides(std::uint32_t found, std::uint32_t q) const { return !conflict_.has(found, q); }
+
+  /// Replaces cells that `find_conflicts` has found by the star of the same vertex. Takes no memory.
+  template <class WhenHidden>
+  void fill(std::uint32_t q, [[maybe_unused]] const WhenHidden& when_hidden) {
     new_cells_.clear();
     for (std::size_t k = 0; k < facets().size(); ++k) new_cells_.push_back(new_cell(k));
     star_.write(facets(), new_cells_, q);
@@ -124,21 +133,27 @@ class IncrementalTriangulation {
     }
     for (std::size_t k = facets().size(); k < conflicts().size(); ++k) pool_.add(conflicts()[k]);
     last_ = new_cells_.back();
-    return Place::inserted;
   }
 
   /// The cells that the last insertion made.
   std::span<const std::uint32_t> new_cells() const { return new_cells_; }
 
-  /// Finds the cells in conflict with a vertex that is not inserted, and marks them until `close`.
+  /// Finds the cells in conflict with a vertex that is not inserted nor hidden, and marks them until `close` or `fill`.
   template <class Region>
   void find_conflicts(std::uint32_t q, const Region& region) {
-    if (!open(locate(q, region), q, region)) throw InternalError("a region does not own its cells");
+    find_conflicts_at(locate(q, region), q, region);
+  }
+  /// The same where the cell is known that `locate` would find.
+  template <class Region>
+  void find_conflicts_at(std::uint32_t found, std::uint32_t q, const Region& region) {
+    if (!open(found, q, region)) throw InternalError("a region does not own its cells");
   }
   void close() { conflict_.release(); }
   /// The cells in conflict, and what is between them and all others.
   std::span<const std::uint32_t> conflicts() const { return conflict_.cells(); }
   std::span<const HoleFacet> facets() const { return conflict_.facets(); }
+  /// Vertices of cells in conflict that are on no facet between these and others: the vertex hides them. Ascending.
+  std::span<const std::uint32_t> inner_vertices() const { return inner_; }
 
   /// Cells that are of no use move out of the array.
   void compact() {

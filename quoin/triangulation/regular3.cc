@@ -7,30 +7,16 @@
 #include <new>
 #include <numeric>
 #include <string>
+#include <utility>
 
 #include "quoin/base/error.h"
-#include "quoin/number/rational.h"
 #include "quoin/triangulation/affine_basis.h"
 #include "quoin/triangulation/flat_cells.h"
-#include "quoin/triangulation/insertion_rounds.h"
+#include "quoin/triangulation/lower_chain.h"
+#include "quoin/triangulation/regular_cells.h"
 #include "quoin/triangulation/regular_signs.h"
 
 namespace quoin {
-
-namespace {
-
-/// A point of a line by a coordinate along it, and its height above it, less its weight.
-struct Lifted {
-  std::uint32_t vertex;
-  Rational along;
-  Rational height;
-};
-
-bool is_above(const Lifted& b, const Lifted& a, const Lifted& c) {
-  return (b.height - a.height) * (c.along - a.along) > (c.height - a.height) * (b.along - a.along);
-}
-
-}  // namespace
 
 Regular3::Regular3(std::span<const Point3> points, std::span<const double> weights, const Context& context) try
     : points_(points, Scaling::none, context), vertex_count_(points_.points.size()) {
@@ -42,7 +28,7 @@ Regular3::Regular3(std::span<const Point3> points, std::span<const double> weigh
   const AffineBasis basis = affine_basis(points_.all(), context);
   dimension_ = static_cast<int>(basis.vertices.size()) - 1;
   if (dimension_ < 2) {
-    cells_ = cells_of_chain(lower_chain());
+    cells_ = cells_of_chain(visible_chain(context));
   } else {
     triangulate(basis, context);
   }
@@ -73,37 +59,31 @@ void Regular3::triangulate(const AffineBasis& basis, const Context& context) {
     weights_.push_back(0);
   }
   const RegularSigns signs(points_.all(), weights_, dimension_ == 2);
-  cells_ = insert_in_rounds(
-      signs, vertex_count_, {v[0], v[1], v[2], dimension_ == 2 ? apex : v[3]}, context,
-      [this](std::uint32_t hidden) { is_hidden_[hidden] = true; }, InsertionSplit::of(vertex_count_));
-  if (dimension_ == 2) cells_ = without_apex(cells_, apex);
+  RegularCells found = regular_cells(signs, vertex_count_, {v[0], v[1], v[2], dimension_ == 2 ? apex : v[3]}, context);
+  for (const std::uint32_t hidden : found.hidden) is_hidden_[hidden] = true;
+  cells_ = dimension_ == 2 ? without_apex(found.cells, apex) : std::move(found.cells);
 }
 
-/// Along a line: what is left of the vertices, in order. Source: Andrew 1979.
-std::vector<std::uint32_t> Regular3::lower_chain() {
+/// Along a line: what is left of the vertices, in order.
+std::vector<std::uint32_t> Regular3::visible_chain(const Context& context) {
   std::vector<std::uint32_t> order(vertex_count_);
   std::iota(order.begin(), order.end(), 0U);
   std::sort(order.begin(), order.end(), [this](std::uint32_t a, std::uint32_t b) {
     return lexicographically_less(points_.points[a], points_.points[b]);
   });
-  const Point3& first = points_.points[order.front()];
-  const Point3& last = points_.points[order.back()];
-  const std::size_t axis = first.x != last.x ? 0 : first.y != last.y ? 1 : 2;
-  std::vector<Lifted> chain;
+  std::vector<Point3> points;
+  std::vector<double> weights;
   for (const std::uint32_t v : order) {
-    const Point3& p = points_.points[v];
-    Rational height = -Rational(weights_[v]);
-    for (const double x : {p.x, p.y, p.z}) height += Rational(x) * Rational(x);
-    Lifted next{v, Rational(p[axis]), std::move(height)};
-    while (chain.size() > 1 && is_above(chain.back(), chain[chain.size() - 2], next)) {
-      is_hidden_[chain.back().vertex] = true;
-      chain.pop_back();
-    }
-    chain.push_back(std::move(next));
+    points.push_back(points_.points[v]);
+    weights.push_back(weights_[v]);
   }
-  std::vector<std::uint32_t> vertices;
-  for (const Lifted& lifted : chain) vertices.push_back(lifted.vertex);
-  return vertices;
+  is_hidden_.assign(vertex_count_, true);
+  std::vector<std::uint32_t> chain;
+  for (const std::uint32_t place : lower_chain(points, weights, context)) {
+    is_hidden_[order[place]] = false;
+    chain.push_back(order[place]);
+  }
+  return chain;
 }
 
 }  // namespace quoin

@@ -43,7 +43,7 @@ class Regular3 {
  private:
   void take_weights(std::span<const double> weights);
   void triangulate(const AffineBasis& basis, const Context& context);
-  std::vector<std::uint32_t> lower_chain();
+  std::vector<std::uint32_t> visible_chain(const Context& context);
 
   VertexPoints points_;
   std::vector<double> weights_;

@@ -41,18 +41,31 @@ Integer minor(const IntegerRow& a, const IntegerRow& b, const IntegerRow& c) {
   return c[2] * (a[0] * b[1] - a[1] * b[0]) + a[2] * (b[0] * c[1] - b[1] * c[0]) + b[2] * (c[0] * a[1] - c[1] * a[0]);
 }
 
+WeightExtent extent_of(std::span<const double> weights) {
+  WeightExtent extent;
+  for (const double w : weights) extent.add(w);
+  return extent;
+}
+
 }  // namespace
 
+void WeightExtent::add(double weight) {
+  largest = std::max(largest, std::fabs(weight));
+  lowest_bit = std::min(lowest_bit, detail::lowest_bit(weight));
+}
+
 RegularSigns::RegularSigns(std::span<const Point3> points, std::span<const double> weights, bool is_flat)
-    : plain_(points, is_flat), points_(points.data()), weights_(weights.data()) {
-  const double g = PointExtent(points).grid;
-  const bool are_weights_on_grid = std::all_of(weights.begin(), weights.end(), [g](double w) {
-    const double multiple = w / (g * g);
-    // Multiplied again, as the quotient may underflow.
-    return g > 0 && std::fabs(multiple) <= 0x1p53 && std::nearbyint(multiple) == multiple && multiple * (g * g) == w;
-  });
+    : RegularSigns(points, weights, PointExtent(points), extent_of(weights),
+                   is_flat ? static_cast<std::uint32_t>(points.size() - 1) : no_vertex) {}
+
+RegularSigns::RegularSigns(std::span<const Point3> points, std::span<const double> weights, const PointExtent& extent,
+                           const WeightExtent& weight_extent, std::uint32_t apex)
+    : plain_(points, extent, apex), points_(points.data()), weights_(weights.data()) {
+  const double g = extent.grid;
   // Magnitudes of all terms sum up to at most 4 (3 M^2 + W) 6 XYZ.
-  if (are_weights_on_grid) grid_ = g * g * g * g * g * (0x1p52 / 24);
+  if (g > 0 && weight_extent.lowest_bit >= 2 * std::ilogb(g) && weight_extent.largest <= g * g * 0x1p53) {
+    grid_ = g * g * g * g * g * (0x1p52 / 24);
+  }
 }
 
 /// With lifts of size L = 3 M^2 + W, W the largest difference of weights: squares 3 each, sums 2 and 3, the difference

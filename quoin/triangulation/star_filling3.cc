@@ -5,13 +5,15 @@
 
 #include "quoin/base/error.h"
 #include "quoin/triangulation/circulators.h"
+#include "quoin/triangulation/delaunay_signs.h"
 #include "quoin/triangulation/insertion_round.h"
+#include "quoin/triangulation/regular_signs.h"
 
 namespace quoin {
 
 namespace {
 
-constexpr std::size_t few = 64;  // neighbours that are inserted as they come
+constexpr std::size_t few = 64;  // points that are inserted as they come
 constexpr std::size_t poll_step = 256;
 
 std::array<std::uint32_t, 3> facet_of(const TriangulationCell& cell, unsigned slot) {
@@ -21,9 +23,12 @@ std::array<std::uint32_t, 3> facet_of(const TriangulationCell& cell, unsigned sl
 
 }  // namespace
 
-bool StarFilling3::find(const CellArray& cells, std::uint32_t v, std::uint32_t first, const Context& context) {
+template <class Signs>
+bool StarFilling3<Signs>::find(const CellArray& cells, const HiddenLists& hidden, std::uint32_t v, std::uint32_t first,
+                               const Context& context) {
   find_star(cells, 4, v, first, star_, &context);
-  find_link_vertices(cells, 4, v, star_, link_);
+  find_link_vertices(cells, 4, v, star_, points_);
+  if constexpr (Signs::may_hide) add_hidden(hidden, context);
   if (!choose_simplex(cells, v, context)) return false;
   read_hole(cells, v);
   triangulate(context);
@@ -31,16 +36,28 @@ bool StarFilling3::find(const CellArray& cells, std::uint32_t v, std::uint32_t f
   return true;
 }
 
-/// Three of the vertices of a cell, and one off their plane: of the neighbours, or else beyond a facet opposite to v,
-/// and then inserted with them. It changes nothing of what is in conflict with v, whose star has all cells that it has.
-bool StarFilling3::choose_simplex(const CellArray& cells, std::uint32_t v, const Context& context) {
+template <class Signs>
+void StarFilling3<Signs>::add_hidden(const HiddenLists& hidden, const Context& context) {
+  for (const std::uint32_t c : star_) {
+    for (std::uint32_t id = hidden.first(c); id != HiddenLists::none; id = hidden.next(id)) {
+      if (points_.size() % poll_step == 0) context.poll();
+      points_.push_back(id);
+    }
+  }
+}
+
+/// Three of the vertices of a cell, and one off their plane: of the points, or else beyond a facet opposite to v, and
+/// then inserted with them. It changes nothing of what is in conflict with v, whose star has all cells that it has.
+template <class Signs>
+bool StarFilling3<Signs>::choose_simplex(const CellArray& cells, std::uint32_t v, const Context& context) {
   const auto is_finite = [&cells](std::uint32_t c) { return cells[c].vertices[3] != vertex_at_infinity; };
   const std::uint32_t base = *std::ranges::find_if(star_, is_finite);
   const auto [a, b, c] = facet_of(cells[base], slot_of(cells[base], v));
-  for (std::size_t i = 0; i < link_.size(); ++i) {
+  for (std::size_t i = 0; i < points_.size(); ++i) {
     if (i % poll_step == 0) context.poll();
-    simplex_ = {a, b, c, link_[i]};
-    if (link_[i] != a && link_[i] != b && link_[i] != c && signs_.orientation(a, b, c, link_[i]) != 0) return true;
+    simplex_ = {a, b, c, points_[i]};
+    if (points_[i] != a && points_[i] != b && points_[i] != c && signs_.orientation(a, b, c, points_[i]) != 0)
+      return true;
   }
   for (const std::uint32_t k : star_) {
     if (!is_finite(k)) continue;
@@ -51,7 +68,8 @@ bool StarFilling3::choose_simplex(const CellArray& cells, std::uint32_t v, const
   return false;
 }
 
-void StarFilling3::read_hole(const CellArray& cells, std::uint32_t v) {
+template <class Signs>
+void StarFilling3<Signs>::read_hole(const CellArray& cells, std::uint32_t v) {
   outside_.clear();
   for (const std::uint32_t c : star_) {
     const unsigned slot = slot_of(cells[c], v);
@@ -60,27 +78,35 @@ void StarFilling3::read_hole(const CellArray& cells, std::uint32_t v) {
   sort(outside_);
 }
 
-void StarFilling3::triangulate(const Context& context) {
+template <class Signs>
+void StarFilling3<Signs>::triangulate(const Context& context) {
   engine_.start(simplex_);
-  if (link_.size() > few) return insert_in_rounds(context);
+  if (points_.size() > few) return insert_in_rounds(context);
   const PollingRegion region(context);
-  for (const std::uint32_t v : link_) {
-    if (std::ranges::find(simplex_, v) == simplex_.end()) engine_.insert(v, region, [](std::uint32_t) {});
-  }
+  for (const std::uint32_t v : points_) insert(v, region);
 }
 
 /// By their ids they are in no order, so these are as good as ranks for rounds.
-void StarFilling3::insert_in_rounds(const Context& context) {
+template <class Signs>
+void StarFilling3<Signs>::insert_in_rounds(const Context& context) {
   const PollingRegion region(context);
+  std::size_t inserted = 0;
   for (unsigned round = insertion_rounds; round-- > 0;) {
-    for (const std::uint32_t v : link_) {
-      if (insertion_round(v) != round || std::ranges::find(simplex_, v) != simplex_.end()) continue;
-      engine_.insert(v, region, [](std::uint32_t) {});
+    for (const std::uint32_t v : points_) {
+      if (insertion_round(v) != round) continue;
+      if (++inserted % poll_step == 0) context.poll();
+      insert(v, region);
     }
   }
 }
 
-void StarFilling3::read_filling(std::uint32_t v, const Context& context) {
+template <class Signs>
+void StarFilling3<Signs>::insert(std::uint32_t v, const PollingRegion& region) {
+  if (std::ranges::find(simplex_, v) == simplex_.end()) engine_.insert(v, region, [](std::uint32_t) {});
+}
+
+template <class Signs>
+void StarFilling3<Signs>::read_filling(std::uint32_t v, const Context& context) {
   engine_.find_conflicts(v, PollingRegion(context));
   engine_.close();
   fill_.assign(engine_.conflicts().begin(), engine_.conflicts().end());
@@ -98,7 +124,8 @@ void StarFilling3::read_filling(std::uint32_t v, const Context& context) {
   }
 }
 
-void StarFilling3::write(CellArray& cells, std::span<const std::uint32_t> places) const {
+template <class Signs>
+void StarFilling3<Signs>::write(CellArray& cells, std::span<const std::uint32_t> places) const {
   const auto place = [&](std::uint32_t code) { return places[code >> 2] * 4 + (code & 3); };
   for (std::size_t k = 0; k < fill_.size(); ++k) {
     const TriangulationCell& from = filling_[fill_[k]];
@@ -119,13 +146,19 @@ void StarFilling3::write(CellArray& cells, std::span<const std::uint32_t> places
 }
 
 /// Facets of a closed surface, all oriented alike, have no directed edge in common.
-StarFilling3::Side StarFilling3::side(const std::array<std::uint32_t, 3>& facet, std::uint32_t code) {
+template <class Signs>
+typename StarFilling3<Signs>::Side StarFilling3<Signs>::side(const std::array<std::uint32_t, 3>& facet,
+                                                             std::uint32_t code) {
   const auto least = static_cast<std::size_t>(std::ranges::min_element(facet) - facet.begin());
   return {std::uint64_t{facet[least]} << 32 | facet[(least + 1) % 3], code};
 }
 
-void StarFilling3::sort(std::vector<Side>& sides) {
+template <class Signs>
+void StarFilling3<Signs>::sort(std::vector<Side>& sides) {
   std::ranges::sort(sides, {}, &Side::edge);
 }
+
+template class StarFilling3<DelaunaySigns>;
+template class StarFilling3<RegularSigns>;
 
 }  // namespace quoin

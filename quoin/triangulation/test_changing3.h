@@ -55,6 +55,13 @@ std::vector<std::array<Corner, 4>> corners_of(std::span<const TriangulationCell>
   return found;
 }
 
+/// Byte by byte.
+inline bool are_same_cells(std::span<const TriangulationCell> one, std::span<const TriangulationCell> other) {
+  return std::ranges::equal(one, other, [](const auto& a, const auto& b) {
+    return a.vertices == b.vertices && a.neighbours == b.neighbours;
+  });
+}
+
 /// The cells are those of the points, vertices know their cells, and nothing is counted wrong.
 inline void expect_same(const ChangingDelaunay3& changing, const std::vector<Point3>& points) {
   std::size_t living = 0;
@@ -88,9 +95,7 @@ inline void expect_same(const ChangingDelaunay3& changing, const std::vector<Poi
   std::vector<Point3> along_curve;
   for (const std::uint32_t v : numbered.ids) along_curve.push_back(changing.point(v));
   for (std::uint32_t v = 0; v < along_curve.size(); ++v) ASSERT_EQ(along_curve[v], delaunay.point(v));
-  ASSERT_TRUE(std::ranges::equal(numbered.cells, delaunay.cells(), [](const auto& a, const auto& b) {
-    return a.vertices == b.vertices && a.neighbours == b.neighbours;
-  }));
+  ASSERT_TRUE(are_same_cells(numbered.cells, delaunay.cells()));
   ASSERT_EQ(defect_of_cells(numbered.cells, changing.dimension(), along_curve, context), "");
   if (changing.dimension() == 3) {
     ASSERT_TRUE(std::ranges::count(cells[changing.cell_of(vertex_at_infinity)].vertices, vertex_at_infinity) == 1);
@@ -98,11 +103,12 @@ inline void expect_same(const ChangingDelaunay3& changing, const std::vector<Poi
 }
 
 /// Points that are there, and the vertex of each.
-struct Present {
-  std::vector<Point3> points;
+template <class Site>
+struct PresentSites {
+  std::vector<Site> points;
   std::vector<std::uint32_t> vertices;
 
-  void add(const Point3& p, std::uint32_t v) {
+  void add(const Site& p, std::uint32_t v) {
     points.push_back(p);
     vertices.push_back(v);
   }
@@ -111,5 +117,6 @@ struct Present {
     vertices.erase(vertices.begin() + static_cast<std::ptrdiff_t>(which));
   }
 };
+using Present = PresentSites<Point3>;
 
 }  // namespace quoin::testing
