@@ -14,6 +14,7 @@
 #include "quoin/triangulation/cell_pool.h"
 #include "quoin/triangulation/conflict_region3.h"
 #include "quoin/triangulation/rank_region.h"
+#include "quoin/triangulation/star_numbers.h"
 #include "quoin/triangulation/star_writer.h"
 
 namespace quoin {
@@ -231,18 +232,31 @@ class IncrementalTriangulation {
   /// Of the cells that go, those on no facet of the hole: they are hidden afterwards.
   void collect_vertices() {
     inner_.clear();
+    // All cells of such a vertex go, and it has four or more.
+    if (conflicts().size() < 4) return;
     outer_.clear();
+    numbers_.clear();
+    const bool has_table = StarWriter::has_table(facets().size());
+    for (const HoleFacet& facet : facets()) {
+      for (const std::uint32_t v : facet.vertices) {
+        if (has_table) {
+          numbers_.number(v);
+        } else {
+          outer_.push_back(v);
+        }
+      }
+    }
+    std::sort(outer_.begin(), outer_.end());
     for (const std::uint32_t cell : conflicts()) {
-      for (const std::uint32_t v : cells_[cell].vertices) inner_.push_back(v & ~mark);
+      for (const std::uint32_t marked : cells_[cell].vertices) {
+        const std::uint32_t v = marked & ~mark;
+        // The vertex at infinity is hidden by none.
+        if (v == vertex_at_infinity) continue;
+        if (has_table ? !numbers_.has(v) : !std::binary_search(outer_.begin(), outer_.end(), v)) inner_.push_back(v);
+      }
     }
-    for (const HoleFacet& facet : facets()) outer_.insert(outer_.end(), facet.vertices.begin(), facet.vertices.end());
-    for (auto* list : {&inner_, &outer_}) {
-      std::sort(list->begin(), list->end());
-      list->erase(std::unique(list->begin(), list->end()), list->end());
-    }
-    // The vertex at infinity is the last one, and hidden by none.
-    if (inner_.back() == vertex_at_infinity) inner_.pop_back();
-    std::erase_if(inner_, [this](std::uint32_t v) { return std::binary_search(outer_.begin(), outer_.end(), v); });
+    std::sort(inner_.begin(), inner_.end());
+    inner_.erase(std::unique(inner_.begin(), inner_.end()), inner_.end());
   }
 
   const Signs& signs_;
@@ -254,6 +268,7 @@ class IncrementalTriangulation {
   std::vector<std::uint32_t> new_cells_;
   std::vector<std::uint32_t> inner_;
   std::vector<std::uint32_t> outer_;
+  StarNumbers numbers_;
   std::uint32_t last_ = 0;
 };
 

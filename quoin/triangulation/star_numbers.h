@@ -16,7 +16,7 @@ class StarNumbers {
 
   /// Of at most `most` vertices between two calls of `clear`.
   unsigned number(std::uint32_t v) {
-    std::size_t at = (v * 0x9E3779B1U) >> (32 - size_bits);
+    std::size_t at = place(v);
     while (keys_[at] != v) {
       if (keys_[at] == nothing) {
         keys_[at] = v;
@@ -29,6 +29,13 @@ class StarNumbers {
     return numbers_[at];
   }
 
+  /// Whether a vertex has a number.
+  bool has(std::uint32_t v) const {
+    std::size_t at = place(v);
+    while (keys_[at] != v && keys_[at] != nothing) at = (at + 1) % size;
+    return keys_[at] == v;
+  }
+
   void clear() {
     for (std::size_t i = 0; i < count_; ++i) keys_[used_[i]] = nothing;
     count_ = 0;
@@ -38,6 +45,8 @@ class StarNumbers {
   static constexpr unsigned size_bits = 8;
   static constexpr std::size_t size = std::size_t{1} << size_bits;
   static constexpr std::uint32_t nothing = 0xFFFFFFFF;
+
+  static std::size_t place(std::uint32_t v) { return (v * 0x9E3779B1U) >> (32 - size_bits); }
 
   std::array<std::uint32_t, size> keys_;
   std::array<std::uint8_t, size> numbers_{};

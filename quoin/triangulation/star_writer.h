@@ -25,6 +25,9 @@ class StarWriter {
  public:
   explicit StarWriter(CellArray& cells) : cells_(cells) { table_.resize(most_local * most_local); }
 
+  /// Whether so many facets have no more vertices than StarNumbers takes: a sphere of more triangles has more.
+  static bool has_table(std::size_t facets) { return facets <= 2 * (most_local - 2) - 4; }
+
   /// All memory that `write` takes for so many facets.
   void reserve(std::size_t facets) {
     if (has_table(facets)) {
@@ -45,9 +48,6 @@ class StarWriter {
 
  private:
   static constexpr unsigned most_local = StarNumbers::most;  // vertices of a star in the table; the last is infinity
-
-  /// A sphere of more triangles has more vertices.
-  static bool has_table(std::size_t facets) { return facets <= 2 * (most_local - 2) - 4; }
 
   /// The cell of a facet and q; the slots of the facet's vertices and of q are those of `slots_of`.
   void write_cell(std::uint32_t id, const HoleFacet& facet, std::uint32_t q) {
