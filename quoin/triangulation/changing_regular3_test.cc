@@ -137,6 +137,8 @@ TEST(ChangingRegular3, EachOrderOfFewPoints) {
       // Equal points of many weights, off a plane or not.
       {{{0, 0, 0}, 0}, {{2, 0, 0}, 0}, {{0, 2, 0}, 0}, {{1, 1, 1}, 0}, {{1, 1, 1}, 1}, {{1, 1, 1}, -1}},
       {{{0, 0, 0}, 0}, {{2, 0, 0}, 0}, {{0, 2, 0}, 0}, {{0, 0, 0}, 1}, {{0, 0, 0}, 2}, {{2, 2, 0}, 1}},
+      // Two of them are the first ones of an upright plane.
+      {{{0, 0, 0}, 0}, {{0, 0, 0}, 1}, {{0, 2, 0}, 0}, {{0, 0, 2}, 0}, {{0, 2, 3}, 1}, {{1, 1, 1}, 0}},
       // Of a sphere, on the lower hull or above it.
       {{{1, 0, 0}, 0}, {{-1, 0, 0}, 0}, {{0, 1, 0}, 0}, {{0, -1, 0}, 0}, {{0, 0, 1}, 1}, {{0, 0, 0}, -1}},
       // Of a line, whose middle is on the chain or above it, and two points off it.
