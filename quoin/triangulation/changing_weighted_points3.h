@@ -11,15 +11,9 @@
 #include "quoin/triangulation/id_table.h"
 #include "quoin/triangulation/regular_signs.h"
 #include "quoin/triangulation/vertex_points.h"
+#include "quoin/triangulation/weighted_point3.h"
 
 namespace quoin {
-
-/// A point of space with a weight, the square of a radius (or less than nothing).
-struct WeightedPoint3 {
-  Point3 point;
-  double weight = 0;
-  friend constexpr bool operator==(const WeightedPoint3&, const WeightedPoint3&) = default;
-};
 
 /// Weighted points of space that come and go, as ChangingPoints3: equal points with different weights have an id each,
 /// and are found by both.

@@ -53,6 +53,16 @@ void find_link_vertices(std::span<const TriangulationCell> cells, unsigned size,
   list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
+VertexStars::VertexStars(const TriangulationView3& triangulation)
+    : cells_(triangulation.cells()), size_(static_cast<unsigned>(triangulation.dimension()) + 1) {
+  first_.assign(triangulation.vertex_count(), no_cell);
+  for (std::uint32_t c = 0; c < cells_.size(); ++c) {
+    for (unsigned i = 0; i < size_; ++i) {
+      if (cells_[c].vertices[i] != vertex_at_infinity) first_[cells_[c].vertices[i]] = c;
+    }
+  }
+}
+
 std::vector<std::uint32_t> VertexStars::star(std::uint32_t vertex) const {
   std::vector<std::uint32_t> list;
   find_star(cells_, size_, vertex, first_[vertex], list);

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "quoin/triangulation/delaunay3.h"
+#include "quoin/triangulation/triangulation_view3.h"
 
 namespace quoin {
 
@@ -50,21 +50,15 @@ void find_star(std::span<const TriangulationCell> cells, unsigned size, std::uin
 void find_link_vertices(std::span<const TriangulationCell> cells, unsigned size, std::uint32_t vertex,
                         std::span<const std::uint32_t> star, std::vector<std::uint32_t>& list);
 
-/// The cells of each vertex, found by walking around it from one of them.
+/// The cells of each vertex of a Delaunay or regular triangulation, found by walking around it from one of them.
 class VertexStars {
  public:
-  /// O(n), 4 bytes per vertex. The triangulation must outlive this.
-  explicit VertexStars(const Delaunay3& triangulation)
-      : cells_(triangulation.cells()), size_(static_cast<unsigned>(triangulation.dimension()) + 1) {
-    first_.assign(triangulation.vertex_count(), 0);
-    for (std::uint32_t c = 0; c < cells_.size(); ++c) {
-      for (unsigned i = 0; i < size_; ++i) {
-        if (cells_[c].vertices[i] != vertex_at_infinity) first_[cells_[c].vertices[i]] = c;
-      }
-    }
-  }
+  static constexpr std::uint32_t no_cell = 0xFFFFFFFF;
 
-  /// Some cell of the vertex.
+  /// O(n), 4 bytes per vertex. The triangulation must outlive this.
+  explicit VertexStars(const TriangulationView3& triangulation);
+
+  /// Some cell of the vertex; `no_cell` of a hidden one, of which nothing else is to be asked.
   std::uint32_t cell(std::uint32_t vertex) const { return first_[vertex]; }
 
   /// All cells that have the vertex, ghosts too, in no order.

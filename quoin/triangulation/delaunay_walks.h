@@ -28,8 +28,12 @@ void require_finite(const Point3& p);
 /// Sign of |p - a|^2 - |p - b|^2. Exact.
 int compare_distances(const Point3& p, const Point3& a, const Point3& b);
 
-/// The smallest face that the point is in, by a walk from a cell of a triangulation of dimension 3; it ends, since
-/// cells are in an acyclic order as seen from any point (Edelsbrunner 1990). `at(v)` is the point of a vertex.
+/// Sign of (|p - a|^2 - weight_a) - (|p - b|^2 - weight_b), of power distances. Exact for all finite doubles.
+int compare_powers(const Point3& p, const Point3& a, double weight_a, const Point3& b, double weight_b);
+
+/// The smallest face that the point is in, by a walk from a cell of a triangulation of dimension 3, Delaunay or
+/// regular; it ends, since cells are in an acyclic order as seen from any point (Edelsbrunner 1990). `at(v)` is the
+/// point of a vertex.
 template <class At>
 DelaunayLocation walk_to(const Point3& p, std::span<const TriangulationCell> cells, std::uint32_t start, const At& at) {
   const auto is_ghost = [&](std::uint32_t c) { return cells[c].vertices[3] == vertex_at_infinity; };
@@ -50,17 +54,19 @@ DelaunayLocation walk_to(const Point3& p, std::span<const TriangulationCell> cel
   }
 }
 
-/// The vertex of least distance, of equal ones the one of the smallest number, by a walk over edges from a vertex, each
-/// to a nearer one. `neighbours(v)` are those of a vertex.
-template <class At, class Neighbours>
-std::uint32_t walk_to_nearest(const Point3& p, std::uint32_t start, const At& at, const Neighbours& neighbours) {
-  // The nearest of all is the one that no neighbour is nearer than; others as near share a Delone cell with it, and
-  // are reached through neighbours that are as near.
+/// The vertex of least distance or power, of equal ones the one of the smallest number, by a walk over edges from a
+/// vertex, each to a nearer one. `compare(v, w)` is the sign of the difference of theirs; `neighbours(v)` are those of
+/// a vertex.
+template <class Compare, class Neighbours>
+std::uint32_t walk_to_least(std::uint32_t start, const Compare& compare, const Neighbours& neighbours) {
+  // Distances less the square of the point are heights of lifted points above a plane, linear on each cell and convex:
+  // the nearest of all is the one that no neighbour is nearer than. Others as near share a Delone cell with it, and are
+  // reached through neighbours that are as near.
   std::uint32_t best = start;
   for (bool is_moving = true; is_moving;) {
     is_moving = false;
     for (const std::uint32_t v : neighbours(best)) {
-      if (compare_distances(p, at(v), at(best)) < 0) {
+      if (compare(v, best) < 0) {
         best = v;
         is_moving = true;
       }
@@ -70,12 +76,19 @@ std::uint32_t walk_to_nearest(const Point3& p, std::uint32_t start, const At& at
   std::unordered_set<std::uint32_t> is_tied{best};
   for (std::size_t k = 0; k < ties.size(); ++k) {
     for (const std::uint32_t v : neighbours(ties[k])) {
-      if (is_tied.count(v) != 0 || compare_distances(p, at(v), at(best)) != 0) continue;
+      if (is_tied.count(v) != 0 || compare(v, best) != 0) continue;
       is_tied.insert(v);
       ties.push_back(v);
     }
   }
   return *std::min_element(ties.begin(), ties.end());
+}
+
+/// The same by distance. `at(v)` is the point of a vertex.
+template <class At, class Neighbours>
+std::uint32_t walk_to_nearest(const Point3& p, std::uint32_t start, const At& at, const Neighbours& neighbours) {
+  return walk_to_least(
+      start, [&](std::uint32_t v, std::uint32_t w) { return compare_distances(p, at(v), at(w)); }, neighbours);
 }
 
 }  // namespace quoin

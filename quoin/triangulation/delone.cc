@@ -6,6 +6,10 @@
 #include <tuple>
 #include <utility>
 
+#include "quoin/kernel/predicates3.h"
+#include "quoin/triangulation/affine_basis.h"
+#include "quoin/triangulation/circulators.h"
+
 namespace quoin {
 
 namespace {
@@ -40,6 +44,120 @@ std::uint32_t label_parts(std::span<const TriangulationCell> cells, unsigned dim
   return next;
 }
 
+int sphere_side(const Delaunay3& t, const DelaunaySigns& signs, std::size_t cell, std::uint32_t vertex) {
+  return t.in_sphere(signs, cell, vertex);
+}
+int sphere_side(const Regular3& t, const RegularSigns& signs, std::size_t cell, std::uint32_t vertex) {
+  return t.power_side(signs, cell, vertex);
+}
+
+template <class Triangulation>
+DeloneLabels labels_of(const Triangulation& triangulation, const Context& context) {
+  const std::span<const TriangulationCell> cells = triangulation.cells();
+  const auto d = static_cast<unsigned>(triangulation.dimension());
+  const auto signs = triangulation.signs();
+  DeloneLabels labels;
+  labels.cell_of.assign(cells.size(), no_label);
+  const auto is_ghost = [&](std::uint32_t c) { return triangulation.is_ghost(c); };
+  const auto is_finite = [&](std::uint32_t c) { return !triangulation.is_ghost(c); };
+  labels.cell_count = label_parts(cells, d, 0, labels.cell_of, context, is_finite, [&](std::uint32_t c, unsigned slot) {
+    const std::uint32_t mate = cells[c].neighbours[slot];
+    return sphere_side(triangulation, signs, c, cells[mate >> 2].vertices[mate & 3]) == 0;
+  });
+  const auto finite_label = [&](std::uint32_t ghost) { return labels.cell_of[cells[ghost].neighbours[d] >> 2]; };
+  label_parts(cells, d, labels.cell_count, labels.cell_of, context, is_ghost, [&](std::uint32_t c, unsigned slot) {
+    const std::uint32_t mate = cells[c].neighbours[slot];
+    if (d < 2 || slot == d || finite_label(c) != finite_label(mate >> 2)) return false;
+    const auto& v = cells[c].vertices;
+    const std::uint32_t beyond = cells[mate >> 2].vertices[mate & 3];
+    if (d == 3) return signs.orientation(v[0], v[1], v[2], beyond) == 0;
+    return normal_axis(triangulation.point(v[0]), triangulation.point(v[1]), triangulation.point(beyond)) == 3;
+  });
+  return labels;
+}
+
+/// Which vertices of a regular triangulation are corners of their Delone cells.
+class CornerSearch {
+ public:
+  CornerSearch(const Regular3& triangulation, const DeloneLabels& labels)
+      : triangulation_(triangulation), labels_(labels), size_(static_cast<unsigned>(triangulation.dimension()) + 1) {}
+
+  std::vector<bool> run(const Context& context) const {
+    std::vector<bool> corners = corners_of_simplices();
+    const VertexStars stars(triangulation_);
+    for (std::uint32_t v = 0; v < corners.size(); ++v) {
+      if (v % 1024 == 0) context.poll();
+      if (!corners[v] && stars.cell(v) != VertexStars::no_cell) corners[v] = is_corner(v, stars.star(v));
+    }
+    return corners;
+  }
+
+ private:
+  /// Those of some cell that is one simplex: of most.
+  std::vector<bool> corners_of_simplices() const {
+    std::vector<std::uint32_t> parts(labels_.cell_count, 0);
+    const std::span<const TriangulationCell> cells = triangulation_.cells();
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      if (!triangulation_.is_ghost(c)) ++parts[labels_.cell_of[c]];
+    }
+    std::vector<bool> corners(triangulation_.vertex_count(), false);
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      if (triangulation_.is_ghost(c) || parts[labels_.cell_of[c]] > 1) continue;
+      for (unsigned i = 0; i < size_; ++i) corners[cells[c].vertices[i]] = true;
+    }
+    return corners;
+  }
+
+  /// A point of a convex cell is a corner if the cell's sides there have nothing else in common. It is then a corner of
+  /// all cells that it is in, so one of them decides.
+  bool is_corner(std::uint32_t vertex, const std::vector<std::uint32_t>& star) const {
+    std::uint32_t label = no_label;
+    for (const std::uint32_t c : star) label = std::min(label, labels_.cell_of[c]);
+    std::vector<std::array<std::uint32_t, 2>> sides;  // the other vertices of each, as many as there are
+    for (const std::uint32_t c : star) {
+      if (labels_.cell_of[c] != label) continue;
+      const TriangulationCell& cell = triangulation_.cells()[c];
+      for (unsigned i = 0; i < size_; ++i) {
+        if (cell.vertices[i] == vertex || labels_.cell_of[cell.neighbours[i] >> 2] == label) continue;
+        std::array<std::uint32_t, 2> side{};
+        unsigned count = 0;
+        for (unsigned k = 0; k < size_; ++k) {
+          if (k != i && cell.vertices[k] != vertex) side[count++] = cell.vertices[k];
+        }
+        sides.push_back(side);
+      }
+    }
+    if (size_ < 3) return !sides.empty() || size_ == 1;
+    return size_ == 3 ? is_corner_between(vertex, sides) : is_corner_of_planes(vertex, sides);
+  }
+
+  bool is_corner_between(std::uint32_t vertex, const std::vector<std::array<std::uint32_t, 2>>& edges) const {
+    const auto point = [this](std::uint32_t v) { return triangulation_.point(v); };
+    return edges.size() == 2 && normal_axis(point(edges[0][0]), point(vertex), point(edges[1][0])) < 3;
+  }
+
+  /// Sides of a wedge are in two planes, those of a half-space in one.
+  bool is_corner_of_planes(std::uint32_t vertex, const std::vector<std::array<std::uint32_t, 2>>& triangles) const {
+    const auto point = [this](std::uint32_t v) { return triangulation_.point(v); };
+    std::vector<std::array<std::uint32_t, 2>> planes;  // by some triangle of each
+    for (const auto& [a, b] : triangles) {
+      const bool is_new = std::ranges::none_of(planes, [&, a = a, b = b](const std::array<std::uint32_t, 2>& plane) {
+        const auto is_in = [&](std::uint32_t v) {
+          return orientation(point(vertex), point(plane[0]), point(plane[1]), point(v)) == Sign::zero;
+        };
+        return is_in(a) && is_in(b);
+      });
+      if (is_new) planes.push_back({a, b});
+      if (planes.size() > 2) return true;
+    }
+    return false;
+  }
+
+  const Regular3& triangulation_;
+  const DeloneLabels& labels_;
+  unsigned size_;
+};
+
 /// A triangle, edge or vertex between two numbers, as seen from the smaller one.
 struct Piece {
   std::uint32_t low;
@@ -66,34 +184,32 @@ std::vector<std::uint32_t> polygon_of(std::span<const Piece> triangles) {
   return polygon;
 }
 
+std::vector<std::uint32_t> vertices_of(std::span<const Piece> pieces, std::size_t size) {
+  std::vector<std::uint32_t> vertices;
+  for (const Piece& p : pieces) {
+    vertices.insert(vertices.end(), p.vertices.begin(), p.vertices.begin() + static_cast<std::ptrdiff_t>(size));
+  }
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  return vertices;
+}
+
 }  // namespace
 
 DeloneLabels delone_labels(const Delaunay3& triangulation, const Context& context) {
-  const std::span<const TriangulationCell> cells = triangulation.cells();
-  const auto d = static_cast<unsigned>(triangulation.dimension());
-  const DelaunaySigns signs = triangulation.signs();
-  DeloneLabels labels;
-  labels.cell_of.assign(cells.size(), no_label);
-  const auto is_ghost = [&](std::uint32_t c) { return triangulation.is_ghost(c); };
-  const auto is_finite = [&](std::uint32_t c) { return !triangulation.is_ghost(c); };
-  labels.cell_count = label_parts(cells, d, 0, labels.cell_of, context, is_finite, [&](std::uint32_t c, unsigned slot) {
-    const std::uint32_t mate = cells[c].neighbours[slot];
-    return triangulation.in_sphere(signs, c, cells[mate >> 2].vertices[mate & 3]) == 0;
-  });
-  const auto finite_label = [&](std::uint32_t ghost) { return labels.cell_of[cells[ghost].neighbours[d] >> 2]; };
-  label_parts(cells, d, labels.cell_count, labels.cell_of, context, is_ghost, [&](std::uint32_t c, unsigned slot) {
-    const std::uint32_t mate = cells[c].neighbours[slot];
-    if (d < 3 || slot == d || finite_label(c) != finite_label(mate >> 2)) return false;
-    const auto& v = cells[c].vertices;
-    return signs.orientation(v[0], v[1], v[2], cells[mate >> 2].vertices[mate & 3]) == 0;
-  });
+  return labels_of(triangulation, context);
+}
+
+DeloneLabels delone_labels(const Regular3& triangulation, const Context& context) {
+  DeloneLabels labels = labels_of(triangulation, context);
+  labels.corners = CornerSearch(triangulation, labels).run(context);
   return labels;
 }
 
 namespace {
 
 /// Pairs of numbers of cells, or of a cell and a facet of the hull, that share a facet.
-std::size_t count_facets(const Delaunay3& triangulation, const DeloneLabels& labels, const Context& context) {
+std::size_t count_facets(const TriangulationView3& triangulation, const DeloneLabels& labels, const Context& context) {
   const std::span<const TriangulationCell> cells = triangulation.cells();
   std::vector<std::uint32_t> begin(std::size_t{labels.cell_count} + 1, 0);
   for (std::uint32_t c = 0; c < cells.size(); ++c) {
@@ -123,9 +239,9 @@ std::size_t count_facets(const Delaunay3& triangulation, const DeloneLabels& lab
 
 }  // namespace
 
-DeloneCounts count_faces(const Delaunay3& triangulation, const DeloneLabels& labels, const Context& context) {
+DeloneCounts count_faces(const TriangulationView3& triangulation, const DeloneLabels& labels, const Context& context) {
   DeloneCounts counts;
-  const std::size_t vertices = triangulation.vertex_count();
+  const std::size_t vertices = labels.corner_count(triangulation.vertex_count());
   const std::size_t cells = labels.cell_count;
   counts.faces[0] = vertices;
   counts.faces[static_cast<std::size_t>(triangulation.dimension())] = cells;
@@ -138,21 +254,28 @@ DeloneCounts count_faces(const Delaunay3& triangulation, const DeloneLabels& lab
 }
 
 DeloneComplex::DeloneComplex(const Delaunay3& triangulation, const Context& context)
+    : DeloneComplex(triangulation, delone_labels(triangulation, context), context) {}
+
+DeloneComplex::DeloneComplex(const Regular3& triangulation, const Context& context)
+    : DeloneComplex(triangulation, delone_labels(triangulation, context), context) {}
+
+DeloneComplex::DeloneComplex(const TriangulationView3& triangulation, DeloneLabels labels, const Context& context)
     : dimension_(triangulation.dimension()), vertex_count_(triangulation.vertex_count()) {
-  DeloneLabels labels = delone_labels(triangulation, context);
   collect_cells(triangulation, labels);
   collect_facets(triangulation, labels, context);
   collect_edges();
 }
 
-void DeloneComplex::collect_cells(const Delaunay3& triangulation, DeloneLabels& labels) {
+void DeloneComplex::collect_cells(const TriangulationView3& triangulation, DeloneLabels& labels) {
   const std::span<const TriangulationCell> cells = triangulation.cells();
   const auto size = static_cast<std::size_t>(dimension_) + 1;
   std::vector<std::vector<std::uint32_t>> vertices(labels.cell_count);
   for (std::size_t c = 0; c < cells.size(); ++c) {
     if (triangulation.is_ghost(c)) continue;
     std::vector<std::uint32_t>& list = vertices[labels.cell_of[c]];
-    list.insert(list.end(), cells[c].vertices.begin(), cells[c].vertices.begin() + static_cast<std::ptrdiff_t>(size));
+    for (std::size_t i = 0; i < size; ++i) {
+      if (labels.is_corner(cells[c].vertices[i])) list.push_back(cells[c].vertices[i]);
+    }
   }
   for (std::vector<std::uint32_t>& list : vertices) {
     std::sort(list.begin(), list.end());
@@ -172,7 +295,8 @@ void DeloneComplex::collect_cells(const Delaunay3& triangulation, DeloneLabels& 
   }
 }
 
-void DeloneComplex::collect_facets(const Delaunay3& triangulation, const DeloneLabels& labels, const Context& context) {
+void DeloneComplex::collect_facets(const TriangulationView3& triangulation, const DeloneLabels& labels,
+                                   const Context& context) {
   if (dimension_ == 0) return;
   const std::span<const TriangulationCell> cells = triangulation.cells();
   const auto d = static_cast<unsigned>(dimension_);
@@ -193,7 +317,6 @@ void DeloneComplex::collect_facets(const Delaunay3& triangulation, const DeloneL
         for (unsigned j = 0; j <= d; ++j) {
           if (j != i) piece.vertices[count++] = cells[c].vertices[j];
         }
-        if (d == 2 && piece.vertices[0] > piece.vertices[1]) std::swap(piece.vertices[0], piece.vertices[1]);
       }
       pieces.push_back(piece);
     }
@@ -210,13 +333,12 @@ void DeloneComplex::collect_facets(const Delaunay3& triangulation, const DeloneL
     if (facets.size() % 1024 == 0) context.poll();
     const Piece& first = pieces[begin];
     std::size_t end = begin + 1;
-    while (d == 3 && end < pieces.size() && pieces[end].low == first.low && pieces[end].high == first.high) ++end;
+    while (end < pieces.size() && pieces[end].low == first.low && pieces[end].high == first.high) ++end;
     Facet facet{{first.low, first.high < labels.cell_count ? first.high : outside}, {}};
-    if (d == 3) {
-      facet.vertices = polygon_of({pieces.data() + begin, end - begin});
-    } else {
-      facet.vertices.assign(first.vertices.begin(), first.vertices.begin() + d);
-    }
+    const std::span<const Piece> parts(pieces.data() + begin, end - begin);
+    facet.vertices = d == 3 ? polygon_of(parts) : vertices_of(parts, d);
+    std::erase_if(facet.vertices, [&](std::uint32_t v) { return !labels.is_corner(v); });
+    std::ranges::rotate(facet.vertices, std::ranges::min_element(facet.vertices));
     facets.push_back(std::move(facet));
     begin = end;
   }

@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "quoin/base/context.h"
+#include "quoin/base/sign.h"
 #include "quoin/kernel/point.h"
+#include "quoin/triangulation/weighted_point3.h"
 
 namespace quoin {
 
@@ -17,5 +19,9 @@ namespace quoin {
 /// perturbation: points on the hull are vertices. O(n). Source: Andrew 1979. @throws Cancelled
 std::vector<std::uint32_t> lower_chain(std::span<const Point3> points, std::span<const double> weights,
                                        const Context& context);
+
+/// Of three points of a line, lifted by their squares less their weights: positive where the first is above the line
+/// through the others, which differ in place. Exact.
+Sign side_of_chord(const WeightedPoint3& p, const WeightedPoint3& a, const WeightedPoint3& b);
 
 }  // namespace quoin

@@ -86,4 +86,13 @@ std::vector<std::uint32_t> Regular3::visible_chain(const Context& context) {
   return chain;
 }
 
+int Regular3::power_side(const RegularSigns& signs, std::size_t cell, std::uint32_t vertex) const {
+  const std::array<std::uint32_t, 4>& v = cells_[cell].vertices;
+  if (dimension_ == 3) return signs.power_sign(v[0], v[1], v[2], v[3], vertex);
+  if (dimension_ == 2) return signs.power_sign(v[0], v[1], v[2], static_cast<std::uint32_t>(vertex_count_), vertex);
+  if (dimension_ == 0 || vertex == v[0] || vertex == v[1]) return 0;
+  const auto at = [this](std::uint32_t i) { return WeightedPoint3{point(i), weight(i)}; };
+  return -to_int(side_of_chord(at(vertex), at(v[0]), at(v[1])));
+}
+
 }  // namespace quoin

@@ -9,6 +9,7 @@
 #include "quoin/base/context.h"
 #include "quoin/kernel/point.h"
 #include "quoin/triangulation/cell_array.h"
+#include "quoin/triangulation/regular_signs.h"
 #include "quoin/triangulation/vertex_points.h"
 
 namespace quoin {
@@ -34,11 +35,21 @@ class Regular3 {
   double weight(std::uint32_t vertex) const { return weights_[vertex]; }
   std::span<const std::uint32_t> inputs(std::uint32_t vertex) const { return points_.inputs_of(vertex); }
   bool is_hidden(std::uint32_t vertex) const { return is_hidden_[vertex]; }
+  /// Of all vertices, in the order of their numbers; where all lie in a plane, a point off it at the end.
+  std::span<const Point3> points() const { return points_.all(); }
+  /// Of these points.
+  std::span<const double> weights() const { return weights_; }
 
   std::span<const TriangulationCell> cells() const { return cells_; }
   bool is_ghost(std::size_t cell) const {
     return cells_[cell].vertices[static_cast<std::size_t>(dimension_)] == vertex_at_infinity;
   }
+
+  /// Where a vertex of the same flat, lifted by its square less its weight, is: positive below the lifted cell, a
+  /// finite one, zero beside it in one flat. `signs` is what `signs()` gave.
+  int power_side(const RegularSigns& signs, std::size_t cell, std::uint32_t vertex) const;
+  /// Predicates on the vertices, by their numbers, while this object lives and does not move. O(n) to make.
+  RegularSigns signs() const { return {points_.all(), weights_, dimension_ == 2}; }
 
  private:
   void take_weights(std::span<const double> weights);

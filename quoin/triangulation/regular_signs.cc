@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "quoin/kernel/call_grid.h"
+#include "quoin/triangulation/grid_integers.h"
 
 namespace quoin {
 
@@ -28,14 +28,6 @@ double minor(const WeightedRow& a, const WeightedRow& b, const WeightedRow& c) {
 
 /// (x, y, z, |.|^2 - weight) of a difference, times 2^-lo and 2^(-2 lo).
 using IntegerRow = std::array<Integer, 4>;
-
-Integer on_grid(double value, int lo) {
-  const detail::Parts parts = detail::parts_of(value);
-  const int shift = parts.exponent - lo;
-  // The bits that go are zero.
-  if (shift < 0) return Integer(parts.mantissa >> std::min(-shift, 63));
-  return Integer(parts.mantissa) << static_cast<std::size_t>(shift);
-}
 
 Integer minor(const IntegerRow& a, const IntegerRow& b, const IntegerRow& c) {
   return c[2] * (a[0] * b[1] - a[1] * b[0]) + a[2] * (b[0] * c[1] - b[1] * c[0]) + b[2] * (c[0] * a[1] - c[1] * a[0]);
@@ -98,17 +90,18 @@ int RegularSigns::power_sign(std::uint32_t a, std::uint32_t b, std::uint32_t c, 
 }
 
 int RegularSigns::exact_power_sign(const std::array<std::uint32_t, 5>& v) const {
-  // Weights are multiples of 2^(2 lo).
-  int lo = 1100;
-  for (const std::uint32_t i : v) {
-    for (const double x : {points_[i].x, points_[i].y, points_[i].z}) lo = std::min(lo, detail::lowest_bit(x));
-    const int lowest = detail::lowest_bit(weights_[i]);
-    lo = std::min(lo, (lowest - (lowest & 1)) / 2);  // rounded down
+  std::array<Point3, 5> points;
+  std::array<double, 5> weights{};
+  for (std::size_t i = 0; i < 5; ++i) {
+    points[i] = points_[v[i]];
+    weights[i] = weights_[v[i]];
   }
+  const int lo = detail::grid_of_weighted(points, weights);
   std::array<IntegerRow, 5> rows;
   for (std::size_t i = 0; i < 5; ++i) {
-    const Point3& p = points_[v[i]];
-    rows[i] = {on_grid(p.x, lo), on_grid(p.y, lo), on_grid(p.z, lo), on_grid(weights_[v[i]], 2 * lo)};
+    const auto& [x, y, z] = points[i];
+    rows[i] = {detail::on_grid(x, lo), detail::on_grid(y, lo), detail::on_grid(z, lo),
+               detail::on_grid(weights[i], 2 * lo)};
   }
   for (std::size_t i = 0; i < 4; ++i) {
     for (std::size_t k = 0; k < 4; ++k) rows[i][k] -= rows[4][k];

@@ -6,22 +6,46 @@
 
 #include "quoin/base/error.h"
 #include "quoin/kernel/predicates3.h"
+#include "quoin/triangulation/affine_basis.h"
 #include "quoin/triangulation/voronoi_volume.h"
 
 namespace quoin {
 
-RationalPoint3 circumcentre(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
-  const RationalPoint3 origin = exact_point(a);
-  const RationalPoint3 p = exact_point(b) - origin;
-  const RationalPoint3 q = exact_point(c) - origin;
-  const RationalPoint3 r = exact_point(d) - origin;
-  // The planes 2 x . p = p . p and so on, by Cramer's rule.
+namespace {
+
+/// Where the planes 2 x . p = lift and so on meet, by Cramer's rule.
+RationalPoint3 meeting_point(const std::array<RationalPoint3, 3>& vectors, const std::array<Rational, 3>& lifts) {
+  const auto& [p, q, r] = vectors;
   const RationalPoint3 qr = cross(q, r);
-  const RationalPoint3 sum = qr * dot(p, p) + cross(r, p) * dot(q, q) + cross(p, q) * dot(r, r);
-  return origin + sum * (Rational(1) / (Rational(2) * dot(p, qr)));
+  const RationalPoint3 sum = qr * lifts[0] + cross(r, p) * lifts[1] + cross(p, q) * lifts[2];
+  return sum * (Rational(1) / (Rational(2) * dot(p, qr)));
 }
 
-Voronoi3::Voronoi3(const Delaunay3& triangulation) : triangulation_(triangulation), stars_(triangulation) {
+}  // namespace
+
+RationalPoint3 circumcentre(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
+  const RationalPoint3 origin = exact_point(a);
+  const std::array<RationalPoint3, 3> v{exact_point(b) - origin, exact_point(c) - origin, exact_point(d) - origin};
+  return origin + meeting_point(v, {dot(v[0], v[0]), dot(v[1], v[1]), dot(v[2], v[2])});
+}
+
+RationalPoint3 power_centre(const std::array<Point3, 4>& points, const std::array<double, 4>& weights) {
+  const RationalPoint3 origin = exact_point(points[0]);
+  std::array<RationalPoint3, 3> vectors;
+  std::array<Rational, 3> lifts;
+  for (std::size_t i = 0; i < 3; ++i) {
+    vectors[i] = exact_point(points[i + 1]) - origin;
+    lifts[i] = dot(vectors[i], vectors[i]) - (Rational(weights[i + 1]) - Rational(weights[0]));
+  }
+  return origin + meeting_point(vectors, lifts);
+}
+
+Voronoi3::Voronoi3(const Delaunay3& triangulation) : Voronoi3(triangulation, nullptr) {}
+
+Voronoi3::Voronoi3(const Regular3& triangulation, const DeloneLabels& labels) : Voronoi3(triangulation, &labels) {}
+
+Voronoi3::Voronoi3(const TriangulationView3& triangulation, const DeloneLabels* labels)
+    : triangulation_(triangulation), stars_(triangulation), labels_(labels) {
   if (triangulation.dimension() < 3) throw InputError("a Voronoi diagram of space of points that lie in a plane");
 }
 
@@ -37,8 +61,29 @@ void Voronoi3::keep_corners(const Context& context) {
 RationalPoint3 Voronoi3::corner(std::size_t cell) const {
   if (!corners_.empty()) return corners_[cell];
   const auto& v = triangulation_.cells()[cell].vertices;
-  const Delaunay3& t = triangulation_;
-  return circumcentre(t.point(v[0]), t.point(v[1]), t.point(v[2]), t.point(v[3]));
+  const TriangulationView3& t = triangulation_;
+  const std::array<Point3, 4> p{t.point(v[0]), t.point(v[1]), t.point(v[2]), t.point(v[3])};
+  if (!t.is_weighted()) return circumcentre(p[0], p[1], p[2], p[3]);
+  return power_centre(p, {t.weight(v[0]), t.weight(v[1]), t.weight(v[2]), t.weight(v[3])});
+}
+
+// The corner at the other end of the Delone edge, of which this one of the triangulation is a part.
+std::uint32_t Voronoi3::end_of_edge(std::uint32_t vertex, std::uint32_t neighbour) const {
+  std::uint32_t before = vertex;
+  std::uint32_t end = neighbour;
+  while (!has_cell(end)) {
+    const Point3 from = triangulation_.point(before);
+    const Point3 here = triangulation_.point(end);
+    for (const std::uint32_t next : stars_.neighbours(end)) {
+      const Point3 to = triangulation_.point(next);
+      const bool is_ahead = lexicographically_less(from, here) == lexicographically_less(here, to);
+      if (next == before || !is_ahead || normal_axis(from, here, to) < 3) continue;
+      before = end;
+      end = next;
+      break;
+    }
+  }
+  return end;
 }
 
 VoronoiFacet Voronoi3::facet(std::uint32_t vertex, std::uint32_t neighbour, std::uint32_t cell) const {
@@ -86,6 +131,7 @@ bool Voronoi3::is_ray(std::uint32_t vertex, std::uint32_t neighbour, std::uint32
 }
 
 std::vector<VoronoiFacet> Voronoi3::facets(std::uint32_t vertex) const {
+  if (!has_cell(vertex)) return {};
   std::map<std::uint32_t, std::uint32_t> cell_of;  // by neighbour, some cell of the edge
   for (const std::uint32_t c : stars_.star(vertex)) {
     for (const std::uint32_t v : triangulation_.cells()[c].vertices) {
@@ -95,13 +141,17 @@ std::vector<VoronoiFacet> Voronoi3::facets(std::uint32_t vertex) const {
   std::vector<VoronoiFacet> all;
   for (const auto& [neighbour, cell] : cell_of) {
     VoronoiFacet next = facet(vertex, neighbour, cell);
-    if (next.is_bounded ? next.corners.size() > 2 : next.corners.size() > 1 || !is_ray(vertex, neighbour, cell))
-      all.push_back(std::move(next));
+    if (next.is_bounded ? next.corners.size() < 3 : next.corners.size() < 2 && is_ray(vertex, neighbour, cell))
+      continue;
+    next.neighbour = end_of_edge(vertex, neighbour);
+    all.push_back(std::move(next));
   }
+  std::ranges::sort(all, {}, &VoronoiFacet::neighbour);
   return all;
 }
 
 std::optional<Rational> Voronoi3::volume(std::uint32_t vertex) const {
+  if (!has_cell(vertex)) return Rational();
   if (is_unbounded(vertex)) return std::nullopt;
   return voronoi_volume(triangulation_, vertex, stars_.star(vertex));
 }
@@ -110,10 +160,12 @@ Rational Voronoi3::volume(std::uint32_t vertex, std::span<const VoronoiFacet> fa
   const RationalPoint3 apex = exact_point(triangulation_.point(vertex));
   Rational sum;  // twelve times
   for (const VoronoiFacet& facet : facets) {
-    // The facet is in the plane halfway to the neighbour, at right angles to the way there: the cone's volume is a
-    // sixth of the square of this way times the facet's area over its length. Area over length is the same for the
-    // projections of both on an axis.
+    // The facet is in the plane of the x with 2 (x - apex) . way = lift, which is the square of the way to the
+    // neighbour less what it weighs more: the cone's volume is a sixth of this times the facet's area over the way's
+    // length. Area over length is the same for the projections of both on an axis.
     const RationalPoint3 way = exact_point(triangulation_.point(facet.neighbour)) - apex;
+    const Rational lift =
+        dot(way, way) - (Rational(triangulation_.weight(facet.neighbour)) - Rational(triangulation_.weight(vertex)));
     unsigned axis = 0;
     while (way[axis].sign() == Sign::zero) ++axis;
     const unsigned u = (axis + 1) % 3;
@@ -124,7 +176,7 @@ Rational Voronoi3::volume(std::uint32_t vertex, std::span<const VoronoiFacet> fa
       const RationalPoint3& to = facet.corners[(i + 1) % facet.corners.size()];
       twice_area += from[u] * to[v] - from[v] * to[u];
     }
-    sum += twice_area * (dot(way, way) / way[axis]);
+    sum += twice_area * (lift / way[axis]);
   }
   return sum / Rational(12);
 }

@@ -34,6 +34,12 @@ Integer exact_quotient(const Integer& a, const Integer& b) {
   return result;
 }
 
+/// A vertex beside the one whose cell is measured.
+struct Neighbour {
+  Vector way;      ///< to it
+  Integer square;  ///< of the way, less what it weighs more
+};
+
 /// A cell by the vectors to its other vertices, so ordered that their determinant is positive.
 struct Corner {
   std::array<std::uint32_t, 3> vertices{};
@@ -44,9 +50,9 @@ struct Corner {
 
 class CellVolume {
  public:
-  CellVolume(const Delaunay3& triangulation, std::uint32_t vertex, std::span<const std::uint32_t> star)
+  CellVolume(const TriangulationView3& triangulation, std::uint32_t vertex, std::span<const std::uint32_t> star)
       : triangulation_(triangulation), vertex_(vertex) {
-    find_vectors(star);
+    find_neighbours(star);
     for (const std::uint32_t c : star) {
       place_.emplace(c, corners_.size());
       corners_.push_back(corner(c));
@@ -56,18 +62,7 @@ class CellVolume {
   Rational run() const {
     Integer product(1);
     for (const Corner& corner : corners_) product *= corner.determinant;
-    Integer sum;
-    for (std::size_t i = 0; i < corners_.size(); ++i) {
-      const Corner& corner = corners_[i];
-      const Integer others = exact_quotient(product, corner.determinant);
-      for (std::size_t k = 0; k < 3; ++k) {
-        const std::size_t j = place_.at(corner.mates[k]);
-        if (j < i) continue;
-        const Vector way = vector(corner.vertices[(k + 2) % 3]) - vector(corner.vertices[(k + 1) % 3]);
-        const Integer term = dot(way, cross(corner.numerator, corners_[j].numerator));
-        if (term.sign() != Sign::zero) sum += term * exact_quotient(others, corners_[j].determinant);
-      }
-    }
+    Integer sum = is_weighted_ ? sum_of_facets(product) : sum_of_edges(product);
     // A grid of 2^lo: its cube.
     product *= Integer(48);
     const std::size_t shift = std::size_t{3} * static_cast<std::size_t>(std::abs(lo_));
@@ -80,28 +75,89 @@ class CellVolume {
   }
 
  private:
-  void find_vectors(std::span<const std::uint32_t> star) {
+  /// Calls `visit(others, corner, next, from, to)` for each edge of the cell, where `others` is the product of all
+  /// determinants but that of the first corner. The facet to `to` has it in this direction, seen from outside; that to
+  /// `from` the other way round.
+  template <class Visit>
+  void for_each_edge(const Integer& product, const Visit& visit) const {
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+      const Corner& corner = corners_[i];
+      const Integer others = exact_quotient(product, corner.determinant);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t j = place_.at(corner.mates[k]);
+        if (j > i) visit(others, corner, corners_[j], corner.vertices[(k + 1) % 3], corner.vertices[(k + 2) % 3]);
+      }
+    }
+  }
+
+  Integer sum_of_edges(const Integer& product) const {
+    Integer sum;
+    for_each_edge(product, [&](const Integer& others, const Corner& corner, const Corner& next, std::uint32_t from,
+                               std::uint32_t to) {
+      const Integer term = dot(way(to) - way(from), cross(corner.numerator, next.numerator));
+      if (term.sign() != Sign::zero) sum += term * exact_quotient(others, next.determinant);
+    });
+    return sum;
+  }
+
+  /// Multiplies the product by the coordinates that the facets' sums are divided by.
+  Integer sum_of_facets(Integer& product) const {
+    std::unordered_map<std::uint32_t, Integer> facets;
+    for_each_edge(product, [&](const Integer& others, const Corner& corner, const Corner& next, std::uint32_t from,
+                               std::uint32_t to) {
+      const Vector normal = cross(corner.numerator, next.numerator);
+      const Integer factor = exact_quotient(others, next.determinant);
+      facets[to] += normal[axis_of(to)] * factor;
+      facets[from] -= normal[axis_of(from)] * factor;
+    });
+    Integer divisors(1);
+    for (const auto& [v, area] : facets) divisors *= way(v)[axis_of(v)];
+    Integer sum;
+    for (const auto& [v, area] : facets) {
+      sum += area * neighbours_.at(v).square * exact_quotient(divisors, way(v)[axis_of(v)]);
+    }
+    product *= divisors;
+    return sum;
+  }
+
+  std::size_t axis_of(std::uint32_t v) const {
+    std::size_t axis = 0;
+    while (way(v)[axis].sign() == Sign::zero) ++axis;
+    return axis;
+  }
+
+  void find_neighbours(std::span<const std::uint32_t> star) {
     std::vector<std::uint32_t> vertices;
     for (const std::uint32_t c : star) {
       for (const std::uint32_t v : triangulation_.cells()[c].vertices) vertices.push_back(v);
     }
     std::sort(vertices.begin(), vertices.end());
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-    std::vector<double> values;
+    std::vector<Point3> points;
+    std::vector<double> weights;  // if any differs from the vertex's
     for (const std::uint32_t v : vertices) {
-      const Point3& p = triangulation_.point(v);
-      values.insert(values.end(), {p.x, p.y, p.z});
+      points.push_back(triangulation_.point(v));
+      is_weighted_ |= triangulation_.weight(v) != triangulation_.weight(vertex_);
     }
-    lo_ = detail::CallGrid(values).lo;
+    if (is_weighted_) {
+      for (const std::uint32_t v : vertices) weights.push_back(triangulation_.weight(v));
+    }
+    lo_ = detail::grid_of_weighted(points, weights);
     const auto on_grid = [&](std::uint32_t v) {
       const Point3& p = triangulation_.point(v);
       return Vector{detail::on_grid(p.x, lo_), detail::on_grid(p.y, lo_), detail::on_grid(p.z, lo_)};
     };
+    const auto weight = [&](std::uint32_t v) { return detail::on_grid(triangulation_.weight(v), 2 * lo_); };
     const Vector origin = on_grid(vertex_);
-    for (const std::uint32_t v : vertices) vectors_.emplace(v, on_grid(v) - origin);
+    for (const std::uint32_t v : vertices) {
+      Neighbour neighbour{on_grid(v) - origin, {}};
+      neighbour.square = dot(neighbour.way, neighbour.way);
+      if (is_weighted_) neighbour.square -= weight(v) - weight(vertex_);
+      neighbours_.emplace(v, std::move(neighbour));
+    }
   }
 
-  const Vector& vector(std::uint32_t v) const { return vectors_.at(v); }
+  const Vector& way(std::uint32_t v) const { return neighbours_.at(v).way; }
 
   Corner corner(std::uint32_t c) const {
     const TriangulationCell& cell = triangulation_.cells()[c];
@@ -113,33 +169,33 @@ class CellVolume {
       result.mates[k] = cell.neighbours[i] >> 2;
       ++k;
     }
-    const Vector& first = vector(result.vertices[0]);
-    result.determinant = dot(first, cross(vector(result.vertices[1]), vector(result.vertices[2])));
+    result.determinant = dot(way(result.vertices[0]), cross(way(result.vertices[1]), way(result.vertices[2])));
     if (result.determinant.sign() == Sign::negative) {
       std::swap(result.vertices[1], result.vertices[2]);
       std::swap(result.mates[1], result.mates[2]);
       result.determinant = -result.determinant;
     }
     for (std::size_t k = 0; k < 3; ++k) {
-      const Vector& a = vector(result.vertices[k]);
-      const Integer square = dot(a, a);
-      const Vector normal = cross(vector(result.vertices[(k + 1) % 3]), vector(result.vertices[(k + 2) % 3]));
+      const Integer& square = neighbours_.at(result.vertices[k]).square;
+      const Vector normal = cross(way(result.vertices[(k + 1) % 3]), way(result.vertices[(k + 2) % 3]));
       for (std::size_t axis = 0; axis < 3; ++axis) result.numerator[axis] += square * normal[axis];
     }
     return result;
   }
 
-  const Delaunay3& triangulation_;
+  const TriangulationView3& triangulation_;
   std::uint32_t vertex_;
   int lo_ = 0;
-  std::unordered_map<std::uint32_t, Vector> vectors_;     ///< from the vertex, by those at its cells
-  std::unordered_map<std::uint32_t, std::size_t> place_;  ///< of a cell among the corners
+  bool is_weighted_ = false;
+  std::unordered_map<std::uint32_t, Neighbour> neighbours_;  ///< by vertices at its cells, itself among them
+  std::unordered_map<std::uint32_t, std::size_t> place_;     ///< of a cell among the corners
   std::vector<Corner> corners_;
 };
 
 }  // namespace
 
-Rational voronoi_volume(const Delaunay3& triangulation, std::uint32_t vertex, std::span<const std::uint32_t> star) {
+Rational voronoi_volume(const TriangulationView3& triangulation, std::uint32_t vertex,
+                        std::span<const std::uint32_t> star) {
   return CellVolume(triangulation, vertex, star).run();
 }
 

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "quoin/number/rational.h"
-#include "quoin/triangulation/delaunay3.h"
+#include "quoin/triangulation/triangulation_view3.h"
 
 namespace quoin {
 
@@ -18,6 +18,10 @@ namespace quoin {
 /// half as far as w. An edge of the diagram belongs to two facets, to w and to w': together det(w - w', x, x') / 12.
 /// The corner of a cell with det(a, b, c) = d > 0 is N / 2d with N = |a|^2 b x c + |b|^2 c x a + |c|^2 a x b. So the
 /// volume is the sum of det(w - w', N, N') / (48 d d').
-Rational voronoi_volume(const Delaunay3& triangulation, std::uint32_t vertex, std::span<const std::uint32_t> star);
+///
+/// With weights, |w|^2 is less by what w weighs more than the vertex, l(w), here and in N: the cone over the facet is
+/// l(w) / (12 w_x) times the sum of its x_i x x_i+1, along the axis of some coordinate of w that is not zero.
+Rational voronoi_volume(const TriangulationView3& triangulation, std::uint32_t vertex,
+                        std::span<const std::uint32_t> star);
 
 }  // namespace quoin
