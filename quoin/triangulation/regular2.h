@@ -32,6 +32,8 @@ class Regular2 {
   /// Points that are not hidden, without equal ones.
   std::size_t vertex_count() const { return vertices_.size(); }
   const WeightedPoint2& point(Vertex2 v) const { return vertices_[v.index()]; }
+  /// Of all vertices.
+  std::span<const WeightedPoint2> points() const { return vertices_; }
   /// Which of the given points lie at a vertex with its weight, ascending.
   std::span<const std::uint32_t> inputs(Vertex2 v) const {
     return std::span(inputs_).subspan(input_begin_[v.index()], input_begin_[v.index() + 1] - input_begin_[v.index()]);
