@@ -72,11 +72,7 @@ AlphaPoints of_plane(const PointFile& file, const Options& options, const Contex
 }
 
 AlphaPoints of_weighted_plane(const PointFile& file, const Options& options, const Context& context) {
-  std::vector<WeightedPoint2> points;
-  points.reserve(file.points.size());
-  for (std::size_t i = 0; i < file.points.size(); ++i)
-    points.push_back({{file.points[i].x, file.points[i].y}, file.weights[i]});
-  const Regular2 t(points, context);
+  const Regular2 t(weighted_plane_points(file), context);
   const auto inputs = [&](std::uint32_t v, std::vector<std::uint32_t>& list) { append(list, t.inputs(Vertex2(v))); };
   AlphaPoints result = take(t, triangles_of(t.vertex_count()), file, options, inputs, context);
   result.distinct = distinct_places(file);

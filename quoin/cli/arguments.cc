@@ -223,6 +223,7 @@ void add_triangulations(CLI::App& app, Options& options) {
   CLI::App* voronoi =
       add_points_command(app, options, "voronoi", "what is nearest to each of many points, exactly",
                          "vtk (all cells), ply obj off (bounded facets, or cells of the plane), qcells (exact)");
+  voronoi->add_flag("--weighted", options.weighted, "the last column is a weight: the power diagram");
   voronoi->add_flag("--cells", options.cells, "each cell: its volume or area, and its neighbours");
   voronoi->add_flag("--exact", options.exact, "of --cells: exact volumes at any length, not only short ones");
   add_alpha(app, options);

@@ -2,10 +2,14 @@
 #include "quoin/cli/nearest_cells.h"
 
 #include <algorithm>
+#include <type_traits>
+#include <utility>
 
 #include "quoin/cli/point_input.h"
 #include "quoin/triangulation/delone.h"
 #include "quoin/triangulation/delone2.h"
+#include "quoin/triangulation/regular2.h"
+#include "quoin/triangulation/regular3.h"
 #include "quoin/triangulation/voronoi.h"
 #include "quoin/triangulation/voronoi2.h"
 
@@ -64,28 +68,63 @@ class FaceList {
   std::vector<std::uint32_t> neighbours_;
 };
 
+/// The vertices that have cells, by numbers of their own where some have none.
+class Sites {
+ public:
+  template <class Labels>
+  Sites(std::size_t vertices, const Labels& has_cell) : count_(vertices) {
+    std::vector<std::uint32_t> sites(vertices, none);
+    for (std::uint32_t v = 0; v < vertices; ++v) {
+      if (!has_cell(v)) continue;
+      sites[v] = static_cast<std::uint32_t>(vertex_.size());
+      vertex_.push_back(v);
+    }
+    count_ = vertex_.size();
+    if (count_ == vertices) {
+      vertex_.clear();
+    } else {
+      site_ = std::move(sites);
+    }
+  }
+
+  std::size_t count() const { return count_; }
+  std::uint32_t vertex(std::uint32_t site) const { return vertex_.empty() ? site : vertex_[site]; }
+  std::uint32_t site(std::uint32_t vertex) const { return site_.empty() ? vertex : site_[vertex]; }
+
+ private:
+  std::size_t count_;
+  std::vector<std::uint32_t> vertex_;
+  std::vector<std::uint32_t> site_;
+};
+
+/// Of the plane: Delaunay2 or Regular2.
+template <class Triangulation>
 class PlaneCells : public NearestCells {
  public:
-  PlaneCells(const PointFile& file, const Context& context)
-      : delaunay_(plane_points(file), {}, context),
-        delone_(delaunay_, context),
-        voronoi_(delaunay_, delone_),
+  PlaneCells(Triangulation triangulation, std::size_t places, const Context& context)
+      : triangulation_(std::move(triangulation)),
+        places_(places),
+        delone_(triangulation_, context),
+        voronoi_(triangulation_, delone_),
+        sites_(triangulation_.vertex_count(), [this](std::uint32_t v) { return voronoi_.has_cell(Vertex2(v)); }),
         corners_(delone_.cell_count()) {}
 
   Json counts() const override {
-    return {{"dimension", delaunay_.dimension()},
+    return {{"dimension", triangulation_.dimension()},
             {"vertices", voronoi_.vertex_count()},
             {"edges", voronoi_.edges().size()}};
   }
-  std::size_t site_count() const override { return delaunay_.vertex_count(); }
-  std::span<const std::uint32_t> inputs(std::uint32_t site) const override { return delaunay_.inputs(Vertex2(site)); }
-  bool is_bounded(std::uint32_t site) const override { return voronoi_.cell(Vertex2(site)).is_bounded; }
-  Rational size(std::uint32_t site) const override { return *voronoi_.area(Vertex2(site)); }
+  std::size_t place_count() const override { return places_; }
+  std::size_t site_count() const override { return sites_.count(); }
+  std::span<const std::uint32_t> inputs(std::uint32_t site) const override { return inputs_of(vertex(site)); }
+  bool is_bounded(std::uint32_t site) const override { return voronoi_.cell(vertex(site)).is_bounded; }
+  Rational size(std::uint32_t site) const override { return *voronoi_.area(vertex(site)); }
 
   std::vector<std::array<std::uint32_t, 2>> neighbours(const Context& context) const override {
     context.poll();
     std::vector<std::array<std::uint32_t, 2>> pairs;
-    for (const VoronoiEdge2& e : voronoi_.edges()) pairs.push_back({e.left.value, e.right.value});
+    for (const VoronoiEdge2& e : voronoi_.edges())
+      pairs.push_back({sites_.site(e.left.value), sites_.site(e.right.value)});
     return pairs;
   }
 
@@ -102,14 +141,14 @@ class PlaneCells : public NearestCells {
     }
     for (const VoronoiEdge2& e : voronoi_.edges()) {
       if (e.from.is_none() || e.to.is_none()) continue;
-      faces.add(ExactCellKind::simplex, std::array{e.from.value, e.to.value}, inputs(e.left.value)[0],
-                inputs(e.right.value)[0]);
+      faces.add(ExactCellKind::simplex, std::array{e.from.value, e.to.value}, inputs_of(e.left)[0],
+                inputs_of(e.right)[0]);
     }
     for (const std::uint32_t site : order) {
       context.poll();
       if (!is_bounded(site)) continue;
       std::vector<std::uint32_t> corners;
-      for (const DeloneCell2 corner : voronoi_.cell(Vertex2(site)).corners) corners.push_back(corner.value);
+      for (const DeloneCell2 corner : voronoi_.cell(vertex(site)).corners) corners.push_back(corner.value);
       faces.add(ExactCellKind::polygon, corners, inputs(site)[0]);
     }
     return faces.take();
@@ -125,9 +164,12 @@ class PlaneCells : public NearestCells {
   }
 
  private:
+  Vertex2 vertex(std::uint32_t site) const { return Vertex2(sites_.vertex(site)); }
+  std::span<const std::uint32_t> inputs_of(Vertex2 vertex) const { return triangulation_.inputs(vertex); }
+
   std::vector<std::uint32_t> polygon(std::uint32_t site, std::vector<Point3>& points) {
     std::vector<std::uint32_t> numbers;
-    for (const DeloneCell2 corner : voronoi_.cell(Vertex2(site)).corners) {
+    for (const DeloneCell2 corner : voronoi_.cell(vertex(site)).corners) {
       numbers.push_back(corners_.place(corner.value, points, [&] {
         const Point2 p = voronoi_.rounded(corner);
         return Point3{p.x, p.y, 0};
@@ -136,21 +178,52 @@ class PlaneCells : public NearestCells {
     return numbers;
   }
 
-  Delaunay2 delaunay_;
+  Triangulation triangulation_;
+  std::size_t places_;
   Delone2 delone_;
   Voronoi2 voronoi_;
+  Sites sites_;
   Corners corners_;
 };
 
+/// For each vertex those of the points there that count.
+class InputLists {
+ public:
+  InputLists() = default;
+  InputLists(const Regular3& t, std::span<const double> weights) {
+    for (std::uint32_t v = 0; v < t.vertex_count(); ++v) {
+      for (const std::uint32_t i : t.inputs(v)) {
+        if (weights[i] == t.weight(v)) list_.push_back(i);
+      }
+      begin_.push_back(list_.size());
+    }
+  }
+  std::span<const std::uint32_t> of(std::uint32_t vertex) const {
+    return std::span(list_).subspan(begin_[vertex], begin_[vertex + 1] - begin_[vertex]);
+  }
+
+ private:
+  std::vector<std::uint32_t> list_;
+  std::vector<std::size_t> begin_{0};
+};
+
+/// Of space: Delaunay3 or Regular3.
+template <class Triangulation>
 class SpaceCells : public NearestCells {
  public:
-  SpaceCells(const PointFile& file, bool is_written, const Context& context)
-      : delaunay_(file.points, context),
-        labels_(delone_labels(delaunay_, context)),
-        counts_(count_faces(delaunay_, labels_, context)),
+  SpaceCells(Triangulation triangulation, const PointFile& file, bool is_written, const Context& context)
+      : triangulation_(std::move(triangulation)),
+        labels_(delone_labels(triangulation_, context)),
+        counts_(count_faces(triangulation_, labels_, context)),
+        sites_(triangulation_.vertex_count(), [this](std::uint32_t v) { return labels_.is_corner(v); }),
         corners_(labels_.cell_count) {
-    if (delaunay_.dimension() < 3) return;
-    voronoi_.emplace(delaunay_);
+    if constexpr (is_weighted) heaviest_ = InputLists(triangulation_, file.weights);
+    if (triangulation_.dimension() < 3) return;
+    if constexpr (is_weighted) {
+      voronoi_.emplace(triangulation_, labels_);
+    } else {
+      voronoi_.emplace(triangulation_);
+    }
     if (!is_written) return;
     context.progress("corners", 0);
     voronoi_->keep_corners(context);
@@ -158,18 +231,28 @@ class SpaceCells : public NearestCells {
 
   /// A face of the Delone complex stands for one of the diagram, of 3 less as many dimensions.
   Json counts() const override {
-    return {{"dimension", delaunay_.dimension()},
+    return {{"dimension", triangulation_.dimension()},
             {"vertices", counts_.faces[3]},
             {"edges", counts_.faces[2]},
             {"facets", counts_.faces[1]}};
   }
-  std::size_t site_count() const override { return delaunay_.vertex_count(); }
-  std::span<const std::uint32_t> inputs(std::uint32_t site) const override { return delaunay_.inputs(site); }
-  bool is_bounded(std::uint32_t site) const override { return voronoi_ && !voronoi_->is_unbounded(site); }
-  Rational size(std::uint32_t site) const override { return *voronoi_->volume(site); }
+  std::size_t place_count() const override { return triangulation_.vertex_count(); }
+  std::size_t site_count() const override { return sites_.count(); }
+  std::span<const std::uint32_t> inputs(std::uint32_t site) const override {
+    const std::uint32_t vertex = sites_.vertex(site);
+    if constexpr (is_weighted) return heaviest_.of(vertex);
+    return triangulation_.inputs(vertex);
+  }
+  bool is_bounded(std::uint32_t site) const override {
+    return voronoi_ && !voronoi_->is_unbounded(sites_.vertex(site));
+  }
+  Rational size(std::uint32_t site) const override { return *voronoi_->volume(sites_.vertex(site)); }
   std::vector<std::array<std::uint32_t, 2>> neighbours(const Context& context) const override {
-    const DeloneComplex complex(delaunay_, context);
-    return {complex.edges().begin(), complex.edges().end()};
+    const DeloneComplex complex(triangulation_, context);
+    std::vector<std::array<std::uint32_t, 2>> pairs;
+    pairs.reserve(complex.edges().size());
+    for (const auto& [v, w] : complex.edges()) pairs.push_back({sites_.site(v), sites_.site(w)});
+    return pairs;
   }
 
   void add_cell(std::uint32_t site, VtkGrid& grid) override {
@@ -190,7 +273,7 @@ class SpaceCells : public NearestCells {
     std::vector<std::vector<std::uint32_t>> parts(site_count());  // of the bounded cells
     for (std::uint32_t site = 0; site < site_count(); ++site) {
       context.poll();
-      for (const VoronoiFacet& f : voronoi_->facets(site)) {
+      for (const VoronoiFacet& f : facets_of(site)) {
         if (!f.is_bounded || f.neighbour < site) continue;
         std::vector<std::uint32_t> corners;
         for (const std::uint32_t cell : f.cells) corners.push_back(labels_.cell_of[cell]);
@@ -220,8 +303,8 @@ class SpaceCells : public NearestCells {
   /// One for each Delone cell, in the order of these.
   void add_corners(FaceList& faces, const Context& context) const {
     std::vector<std::uint32_t> simplex_of(labels_.cell_count, none);
-    for (std::uint32_t c = 0; c < delaunay_.cells().size(); ++c) {
-      if (!delaunay_.is_ghost(c)) simplex_of[labels_.cell_of[c]] = c;
+    for (std::uint32_t c = 0; c < triangulation_.cells().size(); ++c) {
+      if (!triangulation_.is_ghost(c)) simplex_of[labels_.cell_of[c]] = c;
     }
     for (const std::uint32_t simplex : simplex_of) {
       if (simplex % poll_step == 0) context.poll();
@@ -232,9 +315,9 @@ class SpaceCells : public NearestCells {
   /// Between Delone cells that share a facet.
   void add_edges(FaceList& faces, const Context& context) const {
     std::vector<std::array<std::uint32_t, 2>> pairs;
-    for (std::uint32_t c = 0; c < delaunay_.cells().size(); ++c) {
+    for (std::uint32_t c = 0; c < triangulation_.cells().size(); ++c) {
       if (c % poll_step == 0) context.poll();
-      for (const std::uint32_t across : delaunay_.cells()[c].neighbours) {
+      for (const std::uint32_t across : triangulation_.cells()[c].neighbours) {
         const std::uint32_t low = labels_.cell_of[c];
         const std::uint32_t high = labels_.cell_of[across / 4];
         if (low < high && high < labels_.cell_count) pairs.push_back({low, high});
@@ -245,10 +328,17 @@ class SpaceCells : public NearestCells {
     for (const auto& pair : pairs) faces.add(ExactCellKind::simplex, pair);
   }
 
+  /// With sites for neighbours.
+  std::vector<VoronoiFacet> facets_of(std::uint32_t site) const {
+    std::vector<VoronoiFacet> facets = voronoi_->facets(sites_.vertex(site));
+    for (VoronoiFacet& f : facets) f.neighbour = sites_.site(f.neighbour);
+    return facets;
+  }
+
   /// Those of the site asked for last are kept.
   const std::vector<VoronoiFacet>& facets(std::uint32_t site) const {
     if (facets_of_ != site) {
-      facets_ = voronoi_->facets(site);
+      facets_ = facets_of(site);
       facets_of_ = site;
     }
     return facets_;
@@ -265,9 +355,13 @@ class SpaceCells : public NearestCells {
     return numbers;
   }
 
-  Delaunay3 delaunay_;
+  static constexpr bool is_weighted = std::is_same_v<Triangulation, Regular3>;
+
+  Triangulation triangulation_;
   DeloneLabels labels_;
   DeloneCounts counts_;
+  Sites sites_;
+  InputLists heaviest_;  ///< with weights
   std::optional<Voronoi3> voronoi_;
   Corners corners_;
   mutable std::vector<VoronoiFacet> facets_;
@@ -284,13 +378,27 @@ std::size_t NearestCells::bounded_count() const {
 
 std::unique_ptr<NearestCells> nearest_cells(const PointFile& file, bool of_plane, bool is_written,
                                             const Context& context) {
-  if (of_plane) return std::make_unique<PlaneCells>(file, context);
-  return std::make_unique<SpaceCells>(file, is_written, context);
+  const bool weighted = !file.weights.empty();
+  if (of_plane && weighted) {
+    return std::make_unique<PlaneCells<Regular2>>(Regular2(weighted_plane_points(file), context), distinct_places(file),
+                                                  context);
+  }
+  if (of_plane) {
+    Delaunay2 delaunay(plane_points(file), {}, context);
+    const std::size_t places = delaunay.vertex_count();
+    return std::make_unique<PlaneCells<Delaunay2>>(std::move(delaunay), places, context);
+  }
+  if (weighted) {
+    return std::make_unique<SpaceCells<Regular3>>(Regular3(file.points, file.weights, context), file, is_written,
+                                                  context);
+  }
+  return std::make_unique<SpaceCells<Delaunay3>>(Delaunay3(file.points, context), file, is_written, context);
 }
 
 std::uint64_t memory_of_nearest_cells(std::size_t points, bool of_plane, const MemoryUse& use) {
   // Measured at a million points, what the file says of them included.
   std::uint64_t per_point = of_plane ? 290 : 400;
+  if (use.is_weighted) per_point += 100;
   if (use.is_listed) per_point += of_plane ? 2500 : 7500;
   if (use.is_written) per_point += of_plane ? 700 : 6000;
   if (use.is_exact) per_point += of_plane ? 2800 : 11000;

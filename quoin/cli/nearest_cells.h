@@ -18,8 +18,9 @@
 
 namespace quoin::cli {
 
-/// A Voronoi diagram as the command reports it: of the plane, or of space where points may lie in a plane or on a line,
-/// so that all cells are infinite. Sites are the distinct points, by some numbers.
+/// A Voronoi diagram as the command reports it, or a power diagram of weighted points: of the plane, or of space where
+/// points may lie in a plane or on a line, so that all cells are infinite. Sites are the distinct points that have a
+/// cell, by some numbers.
 class NearestCells {
  public:
   NearestCells() = default;
@@ -29,8 +30,10 @@ class NearestCells {
 
   /// Numbers of vertices, edges, and of space facets; dimension.
   virtual nlohmann::ordered_json counts() const = 0;
+  /// Distinct points: more than sites where weights hide some.
+  virtual std::size_t place_count() const = 0;
   virtual std::size_t site_count() const = 0;
-  /// Numbers of the points at a site, ascending.
+  /// Numbers of the points at a site that have its weight, ascending.
   virtual std::span<const std::uint32_t> inputs(std::uint32_t site) const = 0;
   virtual bool is_bounded(std::uint32_t site) const = 0;
   std::size_t bounded_count() const;
@@ -54,6 +57,7 @@ std::unique_ptr<NearestCells> nearest_cells(const PointFile& file, bool of_plane
 
 /// What is made of cells: a list in the report, outputs, some of them exact.
 struct MemoryUse {
+  bool is_weighted = false;
   bool is_listed = false;
   bool is_written = false;
   bool is_exact = false;

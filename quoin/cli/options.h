@@ -55,7 +55,7 @@ struct Options {
   std::string
       input_format;  ///< of `delaunay`, `voronoi`, `alpha`, `flow`: a name of PointFormat; empty: told by content
   bool onto_plane = false;            ///< of the same: x and y count
-  bool weighted = false;              ///< of `delaunay` and `alpha`: the last column is a weight
+  bool weighted = false;              ///< of `delaunay`, `voronoi`, `alpha`: the last column is a weight
   bool check = false;                 ///< of `delaunay`: prove the result
   bool delone = false;                ///< of `delaunay`: outputs hold Delone cells
   bool cells = false;                 ///< of `voronoi`: each cell in the report

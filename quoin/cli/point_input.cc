@@ -29,6 +29,14 @@ std::vector<Point2> plane_points(const PointFile& file) {
   return points;
 }
 
+std::vector<WeightedPoint2> weighted_plane_points(const PointFile& file) {
+  std::vector<WeightedPoint2> points;
+  points.reserve(file.points.size());
+  for (std::size_t i = 0; i < file.points.size(); ++i)
+    points.push_back({{file.points[i].x, file.points[i].y}, file.weights[i]});
+  return points;
+}
+
 std::size_t distinct_places(const PointFile& file) {
   std::vector<Point2> places = plane_points(file);
   std::ranges::sort(places, [](const Point2& a, const Point2& b) { return lexicographically_less(a, b); });

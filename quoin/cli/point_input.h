@@ -8,6 +8,7 @@
 #include "quoin/base/context.h"
 #include "quoin/cli/options.h"
 #include "quoin/io/point_file.h"
+#include "quoin/triangulation/regular_predicates2.h"
 
 namespace quoin::cli {
 
@@ -19,6 +20,9 @@ bool is_of_plane(const PointFile& file, const Options& options);
 
 /// x and y of all points.
 std::vector<Point2> plane_points(const PointFile& file);
+
+/// The same with their weights.
+std::vector<WeightedPoint2> weighted_plane_points(const PointFile& file);
 
 /// How many different places points of the plane have.
 std::size_t distinct_places(const PointFile& file);

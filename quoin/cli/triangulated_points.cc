@@ -137,11 +137,7 @@ TriangulatedPoints triangulate_plane(const PointFile& file, const TriangulateOpt
 
 TriangulatedPoints triangulate_weighted_plane(const PointFile& file, const TriangulateOptions& options,
                                               const Context& context) {
-  std::vector<WeightedPoint2> points;
-  points.reserve(file.points.size());
-  for (std::size_t i = 0; i < file.points.size(); ++i)
-    points.push_back({{file.points[i].x, file.points[i].y}, file.weights[i]});
-  const Regular2 t(points, context);
+  const Regular2 t(weighted_plane_points(file), context);
   TriangulatedPoints result = take_plane(t, nullptr, options.is_written, context);
   result.hidden = t.hidden().size();
   result.distinct = distinct_places(file);

@@ -64,6 +64,19 @@ Json as_json(const std::optional<double>& number) {
   return number && std::isfinite(*number) ? Json(*number) : Json();
 }
 
+/// Numbers of the points that have no cell: hidden by others, or nearest nowhere alone.
+std::vector<std::uint32_t> hidden_points(const NearestCells& cells, std::size_t points) {
+  std::vector<bool> has_cell(points, false);
+  for (std::uint32_t s = 0; s < cells.site_count(); ++s) {
+    for (const std::uint32_t i : cells.inputs(s)) has_cell[i] = true;
+  }
+  std::vector<std::uint32_t> hidden;
+  for (std::uint32_t i = 0; i < points; ++i) {
+    if (!has_cell[i]) hidden.push_back(i);
+  }
+  return hidden;
+}
+
 struct Sizes {
   std::vector<double> rounded;     // by site; NaN of an infinite cell
   std::vector<std::string> exact;  // if they are listed
@@ -100,6 +113,7 @@ Json list_of(const NearestCells& cells, const Sizes& sizes, const PointFile& fil
     Json cell{{"input", inputs[0]}};
     if (inputs.size() > 1) cell["inputs"] = std::vector<std::uint32_t>(inputs.begin(), inputs.end());
     cell["point"] = of_plane ? Json{p.x, p.y} : Json{p.x, p.y, p.z};
+    if (!file.weights.empty()) cell["weight"] = file.weights[inputs[0]];
     cell["bounded"] = cells.is_bounded(s);
     cell[size_name] = as_json(sizes.rounded[s]);
     cell[std::string("exact_") + size_name] = sizes.exact[s].empty() ? Json() : Json(sizes.exact[s]);
@@ -133,16 +147,18 @@ ExactCells exact_cells_of(NearestCells& cells, bool of_plane, const Context& con
   return made;
 }
 
-VtkGrid grid_of(NearestCells& cells, const Sizes& sizes, bool of_plane, const Context& context) {
+VtkGrid grid_of(NearestCells& cells, const Sizes& sizes, const PointFile& file, bool of_plane, const Context& context) {
   VtkGrid grid;
   grid.cell_integers.push_back({"input", {}});
   grid.cell_doubles.push_back({of_plane ? "area" : "volume", {}});
+  if (!file.weights.empty()) grid.cell_doubles.push_back({"weight", {}});
   for (const std::uint32_t s : in_order_of_inputs(cells)) {
     context.poll();
     if (!cells.is_bounded(s)) continue;
     cells.add_cell(s, grid);
     grid.cell_integers[0].second.push_back(cells.inputs(s)[0]);
     grid.cell_doubles[0].second.push_back(sizes.rounded[s]);
+    if (!file.weights.empty()) grid.cell_doubles[1].second.push_back(file.weights[cells.inputs(s)[0]]);
   }
   return grid;
 }
@@ -169,25 +185,33 @@ int run_voronoi(const Options& options, const Context& context) {
   const PointFile file = read_point_input(options, warnings, context);
   const bool of_plane = is_of_plane(file, options);
   const bool is_written = !options.outputs.empty();
-  const MemoryUse use{
-      .is_listed = options.cells, .is_written = is_written, .is_exact = writes(options, Target::Kind::cells)};
+  const MemoryUse use{.is_weighted = options.weighted,
+                      .is_listed = options.cells,
+                      .is_written = is_written,
+                      .is_exact = writes(options, Target::Kind::cells)};
   announce_memory(memory_of_nearest_cells(file.points.size(), of_plane, use), file.points.size(), options);
   const std::unique_ptr<NearestCells> cells = nearest_cells(file, of_plane, is_written, context);
   const Sizes sizes = options.cells || is_written ? sizes_of(*cells, options, context) : Sizes();
   const std::size_t bounded = cells->bounded_count();
   Json report = describe(file, options);
-  report["distinct"] = cells->site_count();
+  report["distinct"] = cells->place_count();
+  std::vector<std::uint32_t> hidden;
+  if (options.weighted) {
+    hidden = hidden_points(*cells, file.points.size());
+    report["hidden"] = hidden.size();
+  }
   report.update(cells->counts());
   report["bounded_cells"] = bounded;
   report["infinite_cells"] = cells->site_count() - bounded;
   if (!options.outputs.empty() && bounded < cells->site_count())
     warnings.push_back(std::to_string(cells->site_count() - bounded) + " cells are infinite and are not written");
-  write_cells({.grid = [&] { return grid_of(*cells, sizes, of_plane, context); },
+  write_cells({.grid = [&] { return grid_of(*cells, sizes, file, of_plane, context); },
                .mesh = [&] { return cells->mesh(context); },
                .cells = [&] { return exact_cells_of(*cells, of_plane, context); }},
               options, warnings, context);
   std::string text = as_text(report);
   if (options.cells) {
+    if (options.weighted) report["hidden_points"] = hidden;
     report["cells"] = list_of(*cells, sizes, file, of_plane, context);
     if (!options.json && !options.quiet) text += text_of(report["cells"], of_plane);
   }

@@ -165,6 +165,37 @@ struct Piece {
   std::array<std::uint32_t, 3> vertices;
 };
 
+/// Facets of simplices between cells of different numbers, by these.
+std::vector<Piece> pieces_between(const TriangulationView3& triangulation, const DeloneLabels& labels) {
+  const std::span<const TriangulationCell> cells = triangulation.cells();
+  const auto d = static_cast<unsigned>(triangulation.dimension());
+  std::vector<Piece> pieces;
+  for (std::uint32_t c = 0; c < cells.size(); ++c) {
+    if (triangulation.is_ghost(c)) continue;
+    for (unsigned i = 0; i <= d; ++i) {
+      const std::uint32_t low = labels.cell_of[c];
+      const std::uint32_t high = labels.cell_of[cells[c].neighbours[i] >> 2];
+      if (low >= high) continue;
+      Piece piece{low, high, {}};
+      unsigned count = 0;
+      if (d == 3) {
+        // Counterclockwise from inside, so the other way round.
+        const std::array<unsigned, 3>& slots = facet_slots[i];
+        piece.vertices = {cells[c].vertices[slots[1]], cells[c].vertices[slots[0]], cells[c].vertices[slots[2]]};
+      } else {
+        for (unsigned j = 0; j <= d; ++j) {
+          if (j != i) piece.vertices[count++] = cells[c].vertices[j];
+        }
+      }
+      pieces.push_back(piece);
+    }
+  }
+  std::sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
+    return std::tie(a.low, a.high, a.vertices) < std::tie(b.low, b.high, b.vertices);
+  });
+  return pieces;
+}
+
 /// From the boundary edges of triangles that make one polygon.
 std::vector<std::uint32_t> polygon_of(std::span<const Piece> triangles) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> sides;
@@ -298,32 +329,8 @@ void DeloneComplex::collect_cells(const TriangulationView3& triangulation, Delon
 void DeloneComplex::collect_facets(const TriangulationView3& triangulation, const DeloneLabels& labels,
                                    const Context& context) {
   if (dimension_ == 0) return;
-  const std::span<const TriangulationCell> cells = triangulation.cells();
   const auto d = static_cast<unsigned>(dimension_);
-  std::vector<Piece> pieces;
-  for (std::uint32_t c = 0; c < cells.size(); ++c) {
-    if (triangulation.is_ghost(c)) continue;
-    for (unsigned i = 0; i <= d; ++i) {
-      const std::uint32_t low = labels.cell_of[c];
-      const std::uint32_t high = labels.cell_of[cells[c].neighbours[i] >> 2];
-      if (low >= high) continue;
-      Piece piece{low, high, {}};
-      unsigned count = 0;
-      if (d == 3) {
-        // Counterclockwise from inside, so the other way round.
-        const std::array<unsigned, 3>& slots = facet_slots[i];
-        piece.vertices = {cells[c].vertices[slots[1]], cells[c].vertices[slots[0]], cells[c].vertices[slots[2]]};
-      } else {
-        for (unsigned j = 0; j <= d; ++j) {
-          if (j != i) piece.vertices[count++] = cells[c].vertices[j];
-        }
-      }
-      pieces.push_back(piece);
-    }
-  }
-  std::sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
-    return std::tie(a.low, a.high, a.vertices) < std::tie(b.low, b.high, b.vertices);
-  });
+  const std::vector<Piece> pieces = pieces_between(triangulation, labels);
   struct Facet {
     std::array<std::uint32_t, 2> cells;
     std::vector<std::uint32_t> vertices;

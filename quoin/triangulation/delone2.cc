@@ -58,15 +58,11 @@ class Delone2::Builder {
   /// Where all vertices are corners each triangle touches the boundary of its cell; else those of `first` are replaced.
   void run(std::vector<Triangle2> first) {
     std::vector<Edge2> sides;
-    if (triangulation_.is_weighted()) {
-      sides = boundary_edges(first);
-    } else {
-      for (const Triangle2 t : first) sides.push_back(next_side(Edge2(t, 0)));
-    }
+    if (triangulation_.is_weighted()) sides = boundary_edges(first);
     begin_.push_back(0);
-    for (const Edge2 side : sides) {
+    for (std::size_t i = 0; i < first.size(); ++i) {
       if (begin_.size() % poll_step == 0) context_.poll();
-      collect_corners(side);
+      collect_corners(sides.empty() ? next_side(Edge2(first[i], 0)) : sides[i]);
     }
     number_cells(first);
   }

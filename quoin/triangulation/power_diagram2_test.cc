@@ -79,6 +79,26 @@ TEST(RegularLocation2, NearestByBruteForce) {
   });
 }
 
+TEST(RegularLocation2, ManyOfALineMayBeAsNear) {
+  Random random(58);
+  for (int round = 0; round < test_rounds(100); ++round) {
+    const auto step = [&] { return testing::small_integer(random, 5); };
+    const Point2 from{step(), step()};
+    const Point2 way{step(), step()};
+    Weighted points;
+    for (int i = 0; i < 9; ++i) {
+      const Point2 p{from.x + i * way.x, from.y + i * way.y};
+      points.push_back({p, p.x * p.x + p.y * p.y + (i == 0 ? -1 : 0)});
+    }
+    std::shuffle(points.begin(), points.end(), random);
+    const Regular2 t(points);
+    // All but one have no power of the origin.
+    Vertex2 expected(0);
+    while (power(Point2{0, 0}, t.point(expected)) != Rational(0)) expected = Vertex2(expected.index() + 1);
+    ASSERT_EQ(nearest_vertex(t, {0, 0}), expected) << reproduce(points);
+  }
+}
+
 TEST(RegularLocation2, PowersAreComparedExactly) {
   Random random(52);
   for (const testing::Family& family : testing::families()) {

@@ -64,7 +64,7 @@ hull minkowski erode decompose gaussian-map distance width homology persistence 
       homology) options+=" --prime" ;;
       persistence) options+=" --prime --barcode -o --output" ;;
       delaunay) options+=" -o --output --format --input-format --plane --memory --weighted --check --delone" ;;
-      voronoi) options+=" -o --output --format --input-format --plane --memory --cells --exact" ;;
+      voronoi) options+=" -o --output --format --input-format --plane --memory --weighted --cells --exact" ;;
       alpha)
         options+=" -o --output --format --input-format --plane --memory --weighted --value --radius --pieces --values --exact --graph --persistence --prime --barcode"
         ;;

@@ -163,6 +163,30 @@ class Voronoi(CellsTest):
             # All bounded faces of a diagram can be drawn together to a point.
             self.assertEqual(self.betti(), [1] + [0] * max(k for k in range(4) if dimensions[k] > 0))
 
+    def test_corners_have_the_least_power_of_their_sites(self):
+        # Weights that are squares of distances, up to one, lift the points near a plane: many are in faces of cells.
+        for points, near_plane in ((cloud(25, 3), False), (cloud(30, 2), False), (cloud(40, 2, grid=4), True),
+                                   (list(itertools.product(range(4), repeat=3)), True)):
+            points = sorted(set(points))
+            weights = [k * k % 7 - 3 if not near_plane else sum(c * c for c in p) - abs(p[0] - 1)
+                       for k, p in enumerate(points)]
+            report, exact = self.cells_of("voronoi", [p + (w,) for p, w in zip(points, weights)], "--weighted")
+            sites = [(tuple(map(Fraction, p)), Fraction(w)) for p, w in zip(points, weights)]
+            size = exact.of_cell["volume" if len(points[0]) == 3 else "area"]
+            whole = "polyhedron" if len(points[0]) == 3 else "polygon"
+            for c, (kind, parts) in enumerate(exact.cells):
+                corners = {v for f in exact.faces(c) for v in f} if kind == "polyhedron" else set(parts)
+                for name in ("input", "neighbour"):
+                    site = exact.of_cell[name][c]
+                    for v in corners if site is not None else ():
+                        powers = [dot(minus(exact.points[v], q), minus(exact.points[v], q)) - w for q, w in sites]
+                        self.assertEqual(powers[int(site)], min(powers))
+                if kind == whole:
+                    self.assertGreater(size[c], 0)
+                    self.assertEqual(size[c], exact.volume(c))
+            self.assertEqual(len(exact.of_kind(whole)), report["bounded_cells"])
+            self.assertEqual(report["bounded_cells"] + report["infinite_cells"] + report["hidden"], len(points))
+
     def test_without_vertices(self):
         for points in ([(0, 0, 0), (1, 0, 0)], [(0, 0), (1, 1), (2, 2)], [(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0)]):
             _, exact = self.cells_of("voronoi", points)

@@ -32,13 +32,17 @@ def volume(simplex):
     return abs(determinant([[Fraction(a) - Fraction(b) for a, b in zip(p, simplex[0])] for p in simplex[1:]]))
 
 
-def cell_of_plane(site, others):
-    """The area of what is nearest to the site within a large square, and whether it keeps off the square's sides."""
+def cell_of_plane(site, others, weights=None):
+    """The area of what is nearest to the site within a large square, and whether it keeps off the square's sides; with
+    the weights of places, of what has the least power.
+    """
+    weight = weights or dict.fromkeys([site, *others], 0)
     far = Fraction(10) ** 9
     polygon = [(-far, -far), (far, -far), (far, far), (-far, far)]
     for o in others:
         a, b = Fraction(o[0]) - Fraction(site[0]), Fraction(o[1]) - Fraction(site[1])
-        c = (Fraction(o[0]) ** 2 + Fraction(o[1]) ** 2 - Fraction(site[0]) ** 2 - Fraction(site[1]) ** 2) / 2
+        c = (Fraction(o[0]) ** 2 + Fraction(o[1]) ** 2 - Fraction(site[0]) ** 2 - Fraction(site[1]) ** 2
+             + Fraction(weight[site]) - Fraction(weight[o])) / 2
         heights = [a * x + b * y - c for x, y in polygon]
         clipped = []
         for k, (p, h) in enumerate(zip(polygon, heights)):
@@ -250,6 +254,58 @@ class Voronoi(CommandTest):
             pairs = {(c["input"], n) for c in report["cells"] for n in c["neighbours"]}
             self.assertEqual(len(pairs), 2 * report["edges"])
             self.assertEqual(pairs, {(b, a) for a, b in pairs})
+
+    def test_areas_with_weights(self):
+        for points in (cloud(25, 2), cloud(40, 2, grid=5)):
+            rng = random.Random(5)
+            weights = {p: rng.randint(-3, 6) for p in sorted(set(points))}
+            lines = [p + (weights[p],) for p in points] + [points[0] + (weights[points[0]] - 1,)]
+            report = self.json_of("voronoi", "-", "--weighted", "--cells", "--exact", stdin=text_of(lines))
+            cells = {tuple(c["point"]): c for c in report["cells"]}
+            for site, weight in weights.items():
+                area, bounded = cell_of_plane(site, [s for s in weights if s != site], weights)
+                self.assertEqual(area > 0, site in cells)
+                if site not in cells:
+                    continue
+                self.assertEqual((cells[site]["bounded"], cells[site]["weight"]), (bounded, weight))
+                self.assertEqual(cells[site].get("inputs", [cells[site]["input"]]),
+                                 [i for i, p in enumerate(points) if p == site])
+                if bounded:
+                    self.assertEqual(Fraction(cells[site]["exact_area"]), area)
+            hidden = [i for i, p in enumerate(points) if p not in cells] + [len(points)]
+            self.assertEqual((report["distinct"], report["hidden"], report["hidden_points"]),
+                             (len(weights), len(hidden), hidden))
+            self.assertEqual(len(cells) - report["edges"] + report["vertices"], 1)
+            self.assertEqual(len(cells), report["bounded_cells"] + report["infinite_cells"])
+
+    def test_equal_weights_count_for_nothing(self):
+        for points in (cloud(30, 3), cloud(60, 3, grid=3), cloud(30, 2), [(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 0, 0)]):
+            plain = self.json_of("voronoi", "-", "--cells", "--exact", "-o", "p.vtk", "-o", "p.obj", "-o", "p.qcells",
+                                 stdin=text_of(points))
+            same = self.json_of("voronoi", "-", "--weighted", "--cells", "--exact", "-o", "w.vtk", "-o", "w.obj",
+                                "-o", "w.qcells", stdin=text_of([p + (-2.5,) for p in points]))
+            self.assertEqual((same.pop("hidden"), same.pop("hidden_points")), (0, []))
+            for cell in same["cells"]:
+                self.assertEqual(cell.pop("weight"), -2.5)
+            for key in ("outputs", "warnings"):
+                plain.pop(key, None)
+                same.pop(key, None)
+            self.assertEqual(same, plain)
+            self.assertEqual(self.read("w.qcells"), self.read("p.qcells"))
+            self.assertEqual(self.read("w.obj"), self.read("p.obj"))
+            _, cells, arrays = read_vtk(self.read("w.vtk").decode())
+            self.assertEqual(arrays["weight"], [-2.5] * len(cells))
+
+    def test_weights_that_hide(self):
+        # A heavy ball in a cube of light ones takes all of the inside; one in the middle of a side lies in a face only.
+        points = [p + (0,) for p in CUBE] + [(0.5, 0.5, 0.5, 0.25), (0.5, 0.5, 0.5, 0), (0.5, 0.5, 0, -0.5)]
+        report = self.json_of("voronoi", "-", "--weighted", "--cells", stdin=text_of(points))
+        self.assertEqual((report["distinct"], report["hidden_points"]), (10, [9, 10]))
+        self.assertEqual((report["bounded_cells"], report["infinite_cells"]), (1, 8))
+        ball = report["cells"][8]
+        self.assertEqual((ball["input"], ball["exact_volume"], ball["neighbours"]), (8, "4/3", list(range(8))))
+        self.run_quoin("voronoi", "-", "--weighted", stdin="1 2\n3 4\n", code=REFUSED)
+        self.run_quoin("voronoi", "-", "--weighted", stdin="1 2 0\n3 4 nan\n", code=REFUSED)
 
     def test_volumes_of_lattices(self):
         points = list(itertools.product(range(4), repeat=3))
