@@ -11,7 +11,6 @@
 #include "quoin/cli/alpha_points.h"
 #include "quoin/cli/cell_outputs.h"
 #include "quoin/cli/commands.h"
-#include "quoin/cli/coordinates.h"
 #include "quoin/cli/exact_outputs.h"
 #include "quoin/cli/failure.h"
 #include "quoin/cli/inputs.h"
@@ -35,17 +34,14 @@ constexpr double largest = std::numeric_limits<double>::max();
 
 /// The value that the command line tells; nothing where it tells none.
 std::optional<Rational> value_of(const Options& options) {
-  const int ways = (options.value.empty() ? 0 : 1) + (options.radius.empty() ? 0 : 1) + (options.pieces ? 1 : 0);
+  const int ways = (options.value ? 1 : 0) + (options.radius ? 1 : 0) + (options.pieces ? 1 : 0);
   if (ways > 1) throw UsageError("--value, --radius and --pieces are three ways to choose a complex: give one");
-  if (!options.value.empty()) return parse_argument(options.value, 1, "--value")[0];
-  if (options.radius.empty()) return std::nullopt;
-  Rational radius = parse_argument(options.radius, 1, "--radius")[0];
-  if (radius.sign() == Sign::negative) throw UsageError("--radius: '" + options.radius + "' is below zero");
-  return radius * radius;
+  if (!options.radius) return options.value;
+  return *options.radius * *options.radius;
 }
 
 void require_sense(const Options& options) {
-  const bool has_value = !options.value.empty() || !options.radius.empty() || options.pieces;
+  const bool has_value = options.value || options.radius || options.pieces;
   if (options.persistence && (has_value || !options.graph.empty()))
     throw UsageError("--persistence is of all values: it goes without --value, --radius, --pieces and --graph");
   if (options.persistence) prime_of(options);
@@ -225,7 +221,7 @@ int run_alpha(const Options& options, const Context& context) {
   const std::optional<Rational> value = value_of(options);
   require_sense(options);
   if (!options.weighted && value && value->sign() == Sign::negative)
-    throw UsageError("--value: '" + options.value + "' is below zero, and squared radii are not");
+    throw UsageError("--value is below zero, and squared radii are not");
   std::vector<std::string> warnings;
   const PointFile file = read_point_input(options, warnings, context);
   const TriangulateOptions how{.of_plane = is_of_plane(file, options)};

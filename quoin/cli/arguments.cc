@@ -3,10 +3,11 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cmath>
+#include <limits>
 #include <string_view>
 
 #include "quoin/cli/failure.h"
+#include "quoin/cli/number_options.h"
 
 namespace quoin::cli {
 
@@ -16,27 +17,6 @@ namespace {
 CLI::Option* add_repeatable(CLI::App& command, const std::string& names, std::vector<std::string>& values,
                             const std::string& text) {
   return command.add_option(names, values, text)->allow_extra_args(false);
-}
-
-CLI::Validator finite_number(bool zero_too) {
-  return CLI::Validator(
-      [zero_too](const std::string& text) -> std::string {
-        double value = 0;
-        const bool is_number = CLI::detail::lexical_cast(text, value) && std::isfinite(value);
-        if (is_number && (value > 0 || (zero_too && value == 0))) return {};
-        return "'" + text + "' is not a finite number " + (zero_too ? "from zero up" : "above zero");
-      },
-      "NUMBER");
-}
-
-CLI::Validator whole_number() {
-  return CLI::Validator(
-      [](const std::string& text) -> std::string {
-        const bool is_number = !text.empty() && std::all_of(text.begin(), text.end(),
-                                                            [](unsigned char c) { return std::isdigit(c) != 0; });
-        return is_number ? std::string() : "'" + text + "' is not a whole number";
-      },
-      "WHOLE");
 }
 
 void add_makers_options(CLI::App& command, Options& options) {
@@ -50,11 +30,15 @@ void add_makers_options(CLI::App& command, Options& options) {
 
 void add_common(CLI::App& command, Options& options) {
   command.add_flag("--json", options.json, "report as JSON, errors too");
-  command.add_option("--threads", options.threads, "threads to use (default: all)")->check(whole_number());
-  command.add_option("--timeout", options.timeout, "give up after this many seconds")->check(finite_number(false));
-  command.add_option("--seed", options.seed, "for algorithms that draw random numbers")->check(whole_number());
-  command.add_option("--weld", options.weld_tolerance, "weld vertices within this distance (default: equal ones only)")
-      ->check(finite_number(true));
+  const auto set_threads = [&options](std::uint64_t number) { options.threads = static_cast<unsigned>(number); };
+  add_whole_number(command, "--threads", set_threads, 0, std::numeric_limits<unsigned>::max(),
+                   "threads to use (default: all)");
+  add_number(command, "--timeout", options.timeout, above_zero, "give up after this many seconds");
+  const auto set_seed = [&options](std::uint64_t number) { options.seed = number; };
+  add_whole_number(command, "--seed", set_seed, 0, std::numeric_limits<std::uint64_t>::max(),
+                   "for algorithms that draw random numbers");
+  add_number(command, "--weld", options.weld_tolerance, from_zero,
+             "weld vertices within this distance (default: equal ones only)");
   command.add_flag("-q,--quiet", options.quiet, "no report, no warnings");
   command.add_flag("-v,--verbose", options.verbose, "the whole summary, and stages as they begin");
 }
@@ -114,7 +98,9 @@ void add_assembly(CLI::App& app, Options& options) {
   add_repeatable(*assembly, "--direction", options.directions, "x,y,z: only this way (may be repeated)");
   assembly->add_flag("--one-part", options.one_part, "move one part at a time");
   assembly->add_option("--base", options.base, "name of a part that stays where it is");
-  assembly->add_option("--limit", options.limit, "solutions listed (default: 10000)")->check(whole_number());
+  const auto set_limit = [&options](std::uint64_t number) { options.limit = number; };
+  add_whole_number(*assembly, "--limit", set_limit, 0, std::numeric_limits<std::size_t>::max(),
+                   "solutions listed (default: 10000)");
 }
 
 void add_queries(CLI::App& app, Options& options) {
@@ -179,10 +165,8 @@ CLI::App* add_points_command(CLI::App& app, Options& options, const char* name, 
                    "xyz, pts, csv, ply, obj, off or pcd (default: told by content and ending)")
       ->check(CLI::IsMember({"xyz", "pts", "csv", "ply", "obj", "off", "pcd"}, CLI::ignore_case));
   command->add_flag("--plane", options.onto_plane, "x and y count, whatever the third coordinate is");
-  command
-      ->add_option("--memory", options.memory,
-                   "refuse what needs more than this many megabytes (default: what is free)")
-      ->check(finite_number(false));
+  add_number(*command, "--memory", options.memory, above_zero,
+             "refuse what needs more than this many megabytes (default: what is free)");
   return command;
 }
 
@@ -192,12 +176,12 @@ void add_alpha(CLI::App& app, Options& options) {
       "vtk (simplices with values, or edges of a graph), ply obj off (the boundary, or triangles of the plane), html "
       "(a page of all values), qcells (exact: the filtration, or edges), txt (the same in numbers of points)");
   alpha->add_flag("--weighted", options.weighted, "the last column is a weight: of the regular triangulation");
-  alpha->add_option("--value", options.value, "the complex of this value, a squared radius: a decimal or p/q");
-  alpha->add_option("--radius", options.radius, "the complex of the square of this");
-  alpha
-      ->add_option("--pieces", options.pieces,
-                   "the least complex with no more pieces of full dimension, all points at them")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{0xFFFFFFFF}));
+  add_exact_number(*alpha, "--value", options.value, any_number,
+                   "the complex of this value, a squared radius: a decimal or p/q");
+  add_exact_number(*alpha, "--radius", options.radius, from_zero, "the complex of the square of this");
+  const auto set_pieces = [&options](std::uint64_t number) { options.pieces = number; };
+  add_whole_number(*alpha, "--pieces", set_pieces, 1, std::numeric_limits<std::uint32_t>::max(),
+                   "the least complex with no more pieces of full dimension, all points at them");
   alpha->add_flag("--values", options.values, "all critical values");
   alpha->add_flag("--persistence", options.persistence,
                   "when components, tunnels and voids come and go, instead of a complex; svg draws it");
@@ -234,22 +218,20 @@ void add_flow(CLI::App& app, Options& options) {
       app, options, "flow", "critical points of the distance to points, and what flows to them, exactly",
       "vtk (what is asked for), ply obj off (its surfaces), svg (histograms), html (a page to look at), "
       "qcells (exact)");
-  flow->add_option("--stable", options.stable,
-                   "what flows to critical points of this index: 1 (edges), 2 (surfaces) or 3 (regions)")
-      ->check(CLI::IsMember({1, 2, 3}));
-  flow->add_option("--unstable", options.unstable,
-                   "what flows from critical points of this index: 1 (sheets) or 2 (ways to maxima)")
-      ->check(CLI::IsMember({1, 2}));
-  flow->add_option("--shape", options.shape, "what is found up to this distance, with its Betti numbers")
-      ->check(finite_number(true));
-  flow->add_option(
-          "--simplify", options.simplify,
-          "leave out maxima that are at most this much farther from the points than a saddle that cuts them off")
-      ->check(finite_number(true));
+  const auto set_stable = [&options](std::uint64_t index) { options.stable = static_cast<int>(index); };
+  add_whole_number(*flow, "--stable", set_stable, 1, 3,
+                   "what flows to critical points of this index: 1 (edges), 2 (surfaces) or 3 (regions)");
+  const auto set_unstable = [&options](std::uint64_t index) { options.unstable = static_cast<int>(index); };
+  add_whole_number(*flow, "--unstable", set_unstable, 1, 2,
+                   "what flows from critical points of this index: 1 (sheets) or 2 (ways to maxima)");
+  add_exact_number(*flow, "--shape", options.shape, from_zero,
+                   "what is found up to this distance, with its Betti numbers");
+  add_exact_number(
+      *flow, "--simplify", options.simplify, from_zero,
+      "leave out maxima that are at most this much farther from the points than a saddle that cuts them off");
   flow->add_flag("--reconstruct", options.reconstruct, "the solid whose surface the points are on");
-  flow->add_option("--ratio", options.ratio,
-                   "of --reconstruct: how near to the points a wall is, of the distance behind it (default: 0.5)")
-      ->check(CLI::Range(0.0, 1.0));
+  add_exact_number(*flow, "--ratio", options.ratio, zero_to_one,
+                   "of --reconstruct: how near to the points a wall is, of the distance behind it (default: 0.5)");
   flow->add_flag("--separate", options.separate,
                  "critical points near the surface that the points are on from those near its medial axis; "
                  "--reconstruct goes by that then");
@@ -297,12 +279,12 @@ void add_planar(CLI::App& app, Options& options) {
   add_pictures(*polygon, options, "wkt geojson dxf (certified), ");
   polygon->add_option("--fill", options.fill,
                       "read rings that cross by a rule: even-odd, nonzero, positive (default: they are refused)");
-  polygon->add_option("--flatten", options.flatten, "chords no further than this from arcs, where a format has no arcs")
-      ->check(finite_number(false));
+  add_number(*polygon, "--flatten", options.flatten, above_zero,
+             "chords no further than this from arcs, where a format has no arcs");
   polygon->add_flag("--plain", options.plain, "without regularization: edges and points without area stay");
-  polygon->add_option("--distance", options.distance, "of offset; below zero: an inset");
-  polygon->add_option("--precision", options.precision,
-                      "of offset: how far the radius may be off, where it cannot be exact (default: 2^-20 of it)");
+  add_exact_number(*polygon, "--distance", options.distance, any_number, "of offset; below zero: an inset");
+  add_exact_number(*polygon, "--precision", options.precision, above_zero,
+                   "of offset: how far the radius may be off, where it cannot be exact (default: 2^-20 of it)");
   polygon->add_flag("--inner", options.inner,
                     "of offset: write what lies within the exact one (default: what holds it)");
   polygon->add_flag("--tight", options.tight, "of minkowski: also slits and points that only the open sets leave free");
@@ -312,19 +294,14 @@ void add_planar(CLI::App& app, Options& options) {
   add_drawings(*envelope, options);
   add_pictures(*envelope, options, "wkt geojson dxf, ");
   envelope->add_flag("--upper", options.upper, "the highest points instead of the lowest");
-  envelope
-      ->add_option("--flatten", options.flatten, "chords no further than this from arcs, where a format has no arcs")
-      ->check(finite_number(false));
+  add_number(*envelope, "--flatten", options.flatten, above_zero,
+             "chords no further than this from arcs, where a format has no arcs");
 }
 
 void add_ball(CLI::App& command, Options& options, const std::string& inner) {
-  command.add_option("--ball", options.ball, "a ball of this radius instead of a second solid")
-      ->check(finite_number(false));
-  command
-      .add_option("--within", options.within,
-                  "how far off the polytope that stands for the ball may be (default: a "
-                  "hundredth of the radius)")
-      ->check(finite_number(false));
+  add_number(command, "--ball", options.ball, above_zero, "a ball of this radius instead of a second solid");
+  add_number(command, "--within", options.within, above_zero,
+             "how far off the polytope that stands for the ball may be (default: a hundredth of the radius)");
   command.add_flag("--inner", options.inner, inner);
 }
 

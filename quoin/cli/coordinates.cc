@@ -2,23 +2,20 @@
 #include "quoin/cli/coordinates.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 
 #include "quoin/cli/failure.h"
+#include "quoin/cli/numbers.h"
 
 namespace quoin::cli {
 
 namespace {
 
 Rational parse_number(std::string_view word, const std::string& what) {
-  if (word.find('/') != std::string_view::npos) return Rational::parse(word);
-  double value = 0;
-  const std::string_view digits = word.starts_with('+') ? word.substr(1) : word;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (error != std::errc{} || end != digits.data() + digits.size() || !std::isfinite(value))
-    throw InputError(what + ": '" + std::string(word) + "' is not a finite number");
-  return {value};
+  try {
+    return parse_exact_number(word);
+  } catch (const InputError& error) {
+    throw InputError(what + ": " + error.what());
+  }
 }
 
 }  // namespace

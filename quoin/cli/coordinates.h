@@ -10,8 +10,8 @@
 
 namespace quoin::cli {
 
-/// Numbers separated by commas or blanks: decimals, which stand for the nearest doubles as in mesh files, or fractions
-/// p/q, exact. @throws InputError that names `what` and the text, when there are not `count` finite numbers
+/// Numbers separated by commas or blanks, as `parse_exact_number` reads them. @throws InputError that names `what` and
+/// the text, when there are not `count` finite numbers
 std::vector<Rational> parse_coordinates(std::string_view text, std::size_t count, const std::string& what);
 
 /// The same of an argument on the command line. @throws UsageError  also where all of the numbers at `direction` and

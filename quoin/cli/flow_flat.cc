@@ -102,15 +102,14 @@ void FlowOfFlat::report(Json& report, std::vector<std::string>& warnings) {
   if (options_.unstable > 0) report["unstable"] = unstable();
   if (options_.shape) report["shape"] = shape();
   if (options_.simplify) {
-    report["simplified"] = {
-        {"within", *options_.simplify}, {"maxima", 0}, {"maxima_joined_to_infinity", 0}, {"wall_saddles", 0}};
+    Json& simplified = report["simplified"];
+    add_number(simplified, "within", *options_.simplify);
+    for (const char* name : {"maxima", "maxima_joined_to_infinity", "wall_saddles"}) simplified[name] = 0;
   }
   if (options_.reconstruct) {
-    report["solid"] = {{"ratio", options_.ratio.value_or(default_ratio)},
-                       {"maxima_inside", 0},
-                       {"wall_saddles", 0},
-                       {"triangles", 0},
-                       {"surfaces_not_ordinary", 0}};
+    Json& solid = report["solid"];
+    add_number(solid, "ratio", options_.ratio.value_or(default_ratio));
+    for (const char* name : {"maxima_inside", "wall_saddles", "triangles", "surfaces_not_ordinary"}) solid[name] = 0;
   }
   if (options_.separate) {
     warnings.push_back("the points are in one plane: they sample no surface, and critical points are not separated");
@@ -136,14 +135,16 @@ Json FlowOfFlat::unstable() {
 }
 
 Json FlowOfFlat::shape() {
-  const FlatShape shape = flat_shape(complex_, Rational(*options_.shape) * Rational(*options_.shape), context_);
+  const FlatShape shape = flat_shape(complex_, *options_.shape * *options_.shape, context_);
   edges_ = shape.faces[1];
   polygons_ = shape.faces[2];
   const std::array<std::size_t, 4> counts{shape.faces[0].size(), edges_.size(), polygons_.size(), 0};
-  return {{"distance", *options_.shape},
-          {"critical", counts},
-          {"euler_characteristic", alternating_sum(counts)},
-          {"betti_numbers", shape.betti_numbers}};
+  Json report;
+  add_number(report, "distance", *options_.shape);
+  report["critical"] = counts;
+  report["euler_characteristic"] = alternating_sum(counts);
+  report["betti_numbers"] = shape.betti_numbers;
+  return report;
 }
 
 void FlowOfFlat::add_points(Cells& cells) const {

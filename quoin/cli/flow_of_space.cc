@@ -25,8 +25,8 @@ bool has_pages_alone(const Options& options) {
                              [](const Target& target) { return target.kind == Target::Kind::page; });
 }
 
-Rational square_of(double distance) {
-  return Rational(distance) * Rational(distance);
+Rational square_of(const Rational& distance) {
+  return distance * distance;
 }
 
 }  // namespace
@@ -172,10 +172,12 @@ Json FlowOfSpace::shape() {
   for (const std::uint32_t i : graph().saddles_up_to(square, context_)) {
     walls_.push_back({graph().saddles()[i].facet, false});
   }
-  return {{"distance", *options_.shape},
-          {"critical", counts},
-          {"euler_characteristic", alternating_sum(counts)},
-          {"betti_numbers", graph().betti_numbers(square, context_)}};
+  Json shape;
+  add_number(shape, "distance", *options_.shape);
+  shape["critical"] = counts;
+  shape["euler_characteristic"] = alternating_sum(counts);
+  shape["betti_numbers"] = graph().betti_numbers(square, context_);
+  return shape;
 }
 
 Json FlowOfSpace::simplified() {
@@ -188,10 +190,12 @@ Json FlowOfSpace::simplified() {
     outside += becomes[i] == graph().infinity() ? 1 : 0;
   }
   walls_ = walls_between(graph(), becomes);
-  return {{"within", *options_.simplify},
-          {"maxima", left},
-          {"maxima_joined_to_infinity", outside},
-          {"wall_saddles", walls_.size()}};
+  Json simplified;
+  add_number(simplified, "within", *options_.simplify);
+  simplified["maxima"] = left;
+  simplified["maxima_joined_to_infinity"] = outside;
+  simplified["wall_saddles"] = walls_.size();
+  return simplified;
 }
 
 const CriticalSeparation& FlowOfSpace::separation() {
@@ -211,11 +215,13 @@ Json FlowOfSpace::separated() {
 
 /// By ratios of distances.
 Json FlowOfSpace::peeled() {
-  const double ratio = options_.ratio.value_or(default_ratio);
+  const Rational ratio = options_.ratio.value_or(default_ratio);
   FlowSolid solid = flow_solid(graph(), {.ratio = ratio}, context_);
   walls_ = std::move(solid.wall);
   chosen_ = std::move(solid.is_inside);
-  return {{"ratio", ratio}};
+  Json told;
+  add_number(told, "ratio", ratio);
+  return told;
 }
 
 Json FlowOfSpace::solid() {

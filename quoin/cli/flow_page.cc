@@ -29,10 +29,7 @@ FlowPage flow_page_of(const Options& options, std::size_t points) {
   }
   if (options.stable == 3) return {.tunnels = tunnels, .wall_name = "Walls of regions (stable 3)"};
   if (options.shape)
-    return {.edges = true,
-            .surfaces = true,
-            .tunnels = tunnels,
-            .distance = Rational(*options.shape) * Rational(*options.shape)};
+    return {.edges = true, .surfaces = true, .tunnels = tunnels, .distance = *options.shape * *options.shape};
   FlowPage page{.edges = options.stable == 1,
                 .surfaces = options.stable == 2,
                 .ways = options.unstable == 2,

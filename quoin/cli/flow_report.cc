@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "quoin/cli/flow_report.h"
 
+#include <cmath>
+
 namespace quoin::cli {
 
 namespace {
@@ -49,6 +51,13 @@ void add_flagged(Json& report, Json flagged, bool has_lists) {
 }
 
 }  // namespace
+
+void add_number(Json& report, const std::string& name, const Rational& number) {
+  const double nearest = number.to_double();
+  const bool is_finite = std::isfinite(nearest);
+  report[name] = is_finite ? Json(nearest) : Json();
+  if (!is_finite || Rational(nearest) != number) report["exact_" + name] = number.to_string();
+}
 
 long alternating_sum(const std::array<std::size_t, 4>& counts) {
   return static_cast<long>(counts[0] + counts[2]) - static_cast<long>(counts[1] + counts[3]);

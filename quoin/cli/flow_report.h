@@ -8,6 +8,7 @@
 #include "quoin/flow/flat_flow.h"
 #include "quoin/flow/flow_regions.h"
 #include "quoin/flow/flow_survey.h"
+#include "quoin/number/rational.h"
 
 namespace quoin::cli {
 
@@ -24,6 +25,10 @@ nlohmann::ordered_json report_of(const FlatSurvey& survey, bool has_lists);
 
 /// Signs that the tables took: how many, and how many doubles did not decide.
 nlohmann::ordered_json report_of(const CellSignCounts& counts);
+
+/// A number under a name: its nearest double, or null beyond the largest; and under `exact_` and the name itself, where
+/// it is no double.
+void add_number(nlohmann::ordered_json& report, const std::string& name, const Rational& number);
 
 /// The alternating sum of counts by index.
 long alternating_sum(const std::array<std::size_t, 4>& counts);

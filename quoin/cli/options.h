@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "quoin/number/rational.h"
+
 namespace quoin::cli {
 
 /// The name that stands for standard input or standard output.
@@ -15,23 +17,23 @@ inline constexpr const char* standard_stream = "-";
 /// What all commands understand.
 struct Options {
   std::string command;
-  std::vector<std::string> inputs;   ///< files, or "-" for standard input; of `csg`: NAME=FILE
-  std::vector<std::string> outputs;  ///< files with a known ending, "-" for standard output
-  std::string format;                ///< of "-" among the outputs: an ending without its dot; empty: OFF
-  std::string expression;            ///< of `csg`
-  std::vector<std::string> points;   ///< of `classify`: "x,y,z"
-  std::vector<std::string> lines;    ///< of `classify`: "x,y,z,dx,dy,dz"
-  std::string points_file;           ///< of `classify`: a point per line, "-" for standard input
-  std::vector<std::string> primes;   ///< of `homology`, `persistence`, `alpha`: numbers of elements of fields
-  std::string translation;           ///< of `distance`: "x,y,z"
-  std::string direction;             ///< of `distance`: "x,y,z"
-  std::string path;                  ///< of `distance`: a place per line, "-" for standard input
-  std::string plane;                 ///< of `section`: "a,b,c,d"
-  std::string operation;             ///< of `polygon`
-  std::string fill;                  ///< of `polygon`: how rings that cross are read; empty: they are refused
-  std::string distance;              ///< of `polygon offset`: a number; below zero: an inset
-  std::string precision;             ///< of `polygon offset`: how far the radius may be off; empty: 2^-20 of it
-  std::optional<double> ball;        ///< of `minkowski` and `erode`: a ball of this radius instead of a second solid
+  std::vector<std::string> inputs;    ///< files, or "-" for standard input; of `csg`: NAME=FILE
+  std::vector<std::string> outputs;   ///< files with a known ending, "-" for standard output
+  std::string format;                 ///< of "-" among the outputs: an ending without its dot; empty: OFF
+  std::string expression;             ///< of `csg`
+  std::vector<std::string> points;    ///< of `classify`: "x,y,z"
+  std::vector<std::string> lines;     ///< of `classify`: "x,y,z,dx,dy,dz"
+  std::string points_file;            ///< of `classify`: a point per line, "-" for standard input
+  std::vector<std::string> primes;    ///< of `homology`, `persistence`, `alpha`: numbers of elements of fields
+  std::string translation;            ///< of `distance`: "x,y,z"
+  std::string direction;              ///< of `distance`: "x,y,z"
+  std::string path;                   ///< of `distance`: a place per line, "-" for standard input
+  std::string plane;                  ///< of `section`: "a,b,c,d"
+  std::string operation;              ///< of `polygon`
+  std::string fill;                   ///< of `polygon`: how rings that cross are read; empty: they are refused
+  std::optional<Rational> distance;   ///< of `polygon offset`; below zero: an inset
+  std::optional<Rational> precision;  ///< of `polygon offset`: how far the radius may be off; 2^-20 of it
+  std::optional<double> ball;         ///< of `minkowski` and `erode`: a ball of this radius instead of a second solid
   std::optional<double> within;   ///< of the same: how far a polytope may be from the ball; a hundredth of its radius
   std::optional<double> flatten;  ///< chords instead of arcs, no further than this from them
   bool plain = false;             ///< of `polygon`: edges and points without area stay
@@ -61,17 +63,17 @@ struct Options {
   bool cells = false;                 ///< of `voronoi`: each cell in the report
   bool exact = false;                 ///< of `voronoi`: exact volumes at any length; of `alpha`: exact values
   std::optional<double> memory;       ///< of the same: megabytes
-  std::string value;                  ///< of `alpha`: a squared radius
-  std::string radius;                 ///< of `alpha`
+  std::optional<Rational> value;      ///< of `alpha`: a squared radius
+  std::optional<Rational> radius;     ///< of `alpha`
   std::optional<std::size_t> pieces;  ///< of `alpha`: no more than these
   bool values = false;                ///< of `alpha`: all critical values in the report
   std::string graph;                  ///< of `alpha`: gabriel, relative-neighbours or spanning-tree
   int stable = 0;                     ///< of `flow`: an index, or 0
   int unstable = 0;                   ///< of `flow`
-  std::optional<double> shape;        ///< of `flow`: a distance
-  std::optional<double> simplify;     ///< of `flow`: a difference of distances
+  std::optional<Rational> shape;      ///< of `flow`: a distance
+  std::optional<Rational> simplify;   ///< of `flow`: a difference of distances
   bool reconstruct = false;           ///< of `flow`
-  std::optional<double> ratio;        ///< of `flow`
+  std::optional<Rational> ratio;      ///< of `flow`
   bool separate = false;              ///< of `flow`: points of the surface from medial ones
   bool json = false;
   bool quiet = false;

@@ -90,8 +90,8 @@ void require_fitting_options(const Options& options) {
   const auto refuse = [](const std::string& option, const std::string& owner) {
     throw UsageError(option + " is of " + owner);
   };
-  if (!is_offset && !options.distance.empty()) refuse("--distance", "polygon offset");
-  if (!is_offset && !options.precision.empty()) refuse("--precision", "polygon offset");
+  if (!is_offset && options.distance) refuse("--distance", "polygon offset");
+  if (!is_offset && options.precision) refuse("--precision", "polygon offset");
   if (!is_offset && options.inner) refuse("--inner", "polygon offset");
   if (!is_sum && options.tight) refuse("--tight", "polygon minkowski");
   if (!is_sum && options.reflect) refuse("--reflect", "polygon minkowski");

@@ -7,7 +7,6 @@
 #include "quoin/arrangement/sets/planar_minkowski.h"
 #include "quoin/arrangement/sets/planar_motion.h"
 #include "quoin/arrangement/sets/planar_offset.h"
-#include "quoin/cli/coordinates.h"
 #include "quoin/cli/failure.h"
 #include "quoin/cli/planar.h"
 #include "quoin/cli/planar_pictures.h"
@@ -100,14 +99,11 @@ int run_minkowski(const Options& options, const Context& context) {
 }
 
 int run_offset(const Options& options, const Context& context) {
-  if (options.distance.empty()) throw UsageError("polygon offset needs --distance");
-  const Rational distance = parse_argument(options.distance, 1, "--distance")[0];
+  if (!options.distance) throw UsageError("polygon offset needs --distance");
+  const Rational& distance = *options.distance;
   if (distance.sign() == Sign::zero) throw UsageError("--distance must not be zero");
   PlanarOffsetOptions how;
-  if (!options.precision.empty()) {
-    how.bound = parse_argument(options.precision, 1, "--precision")[0];
-    if (how.bound.sign() != Sign::positive) throw UsageError("--precision must be above zero");
-  }
+  if (options.precision) how.bound = *options.precision;
   std::vector<std::string> warnings;
   const Regions<LinearFamily> regions = read_straight_regions(options, "offsets", warnings, context);
   const LinearPolygonSet set = set_of_operand(regions, 0);

@@ -89,17 +89,18 @@ std::vector<FlowGraph::Pair> FlowGraph::pairs(const Context& context) const {
   return pairs;
 }
 
-bool FlowGraph::is_shallow(const Pair& pair, double most) const {
+bool FlowGraph::is_shallow(const Pair& pair, const Rational& most) const {
+  const Interval around = Interval::around(most);
   const Interval& low = saddles_[pair.saddle].square;
   const Interval& high = maxima_[pair.maximum].square;
   const Interval difference = square_root(high) - square_root(low);
-  if (difference.upper() <= most) return true;
-  if (difference.lower() > most) return false;
-  return differ_by_at_most(exact_square_of_saddle(pair.saddle), exact_square_of_maximum(pair.maximum), Rational(most));
+  if (difference.upper() <= around.lower()) return true;
+  if (difference.lower() > around.upper()) return false;
+  return differ_by_at_most(exact_square_of_saddle(pair.saddle), exact_square_of_maximum(pair.maximum), most);
 }
 
-std::vector<std::uint32_t> FlowGraph::simplified(double most, const Context& context) const {
-  if (!(most >= 0) || std::isinf(most)) throw InputError("a difference of distances must be finite and not negative");
+std::vector<std::uint32_t> FlowGraph::simplified(const Rational& most, const Context& context) const {
+  if (most.sign() == Sign::negative) throw InputError("a difference of distances must not be negative");
   std::vector<std::uint32_t> becomes(maxima_.size() + 1);
   std::iota(becomes.begin(), becomes.end(), 0U);
   for (const Pair& pair : pairs(context)) {

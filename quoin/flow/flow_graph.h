@@ -55,11 +55,11 @@ class FlowGraph {
   std::vector<Pair> pairs(const Context& context) const;
 
   /// Whether the distances of a pair differ by at most this much. Exact.
-  bool is_shallow(const Pair& pair, double most) const;
+  bool is_shallow(const Pair& pair, const Rational& most) const;
 
   /// What the cancellation of shallow pairs leaves: for each maximum, the one that its region becomes a part of, itself
-  /// if it stays, or infinity. @throws InputError if `most` is negative or not a number; Cancelled
-  std::vector<std::uint32_t> simplified(double most, const Context& context) const;
+  /// if it stays, or infinity. @throws InputError if `most` is negative; Cancelled
+  std::vector<std::uint32_t> simplified(const Rational& most, const Context& context) const;
 
   /// Betti numbers of the union of balls of this squared radius, which those of the points up to it are homotopy
   /// equivalent to: components by critical edges, hollows by saddles above, tunnels by the alternating sum. Exact.

@@ -12,13 +12,12 @@ namespace quoin {
 namespace {
 
 /// Whether the saddle's distance is at least the ratio of the maximum's.
-bool is_open(const FlowGraph& graph, std::uint32_t saddle, std::uint32_t maximum, double ratio) {
-  const Interval part = square(Interval(ratio)) * graph.maxima()[maximum].square;
+bool is_open(const FlowGraph& graph, std::uint32_t saddle, std::uint32_t maximum, const Rational& ratio) {
+  const Interval part = square(Interval::around(ratio)) * graph.maxima()[maximum].square;
   const Interval& at = graph.saddles()[saddle].square;
   if (at.lower() >= part.upper()) return true;
   if (at.upper() < part.lower()) return false;
-  const Rational exact(ratio);
-  return graph.exact_square_of_saddle(saddle) >= exact * exact * graph.exact_square_of_maximum(maximum);
+  return graph.exact_square_of_saddle(saddle) >= ratio * ratio * graph.exact_square_of_maximum(maximum);
 }
 
 /// Saddles of each maximum, and of infinity.
@@ -103,7 +102,8 @@ class MeshMaker {
 }  // namespace
 
 FlowSolid flow_solid(const FlowGraph& graph, const PeelOptions& options, const Context& context) {
-  if (!(options.ratio >= 0 && options.ratio <= 1)) throw InputError("the ratio of distances must be in [0, 1]");
+  if (options.ratio.sign() == Sign::negative || options.ratio > Rational(1))
+    throw InputError("the ratio of distances must be in [0, 1]");
   const SaddlesOfEnds of(graph);
   FlowSolid solid;
   solid.is_inside.assign(graph.maxima().size(), true);

@@ -16,7 +16,7 @@ namespace quoin {
 /// the points than the maximum.
 struct PeelOptions {
   /// A region is entered where the distance at the saddle is at least this part of that at the maximum, in [0, 1].
-  double ratio = 0.5;
+  Rational ratio = 0.5;
 };
 
 /// A saddle between inside and outside.

@@ -83,6 +83,87 @@ class Usage(CommandTest):
         self.assertEqual((done.stdout, json.loads(done.stderr)["exit_code"]), ("", REFUSED))
 
 
+NOT_NUMBERS = ("nan", "NaN", "inf", "-inf", "infinity", "", " ", "1e", "1e+", "e5", ".", "+", "-", "+-1", "--1", "0x10", "0x1p3",
+               "1,5", "1;5", "1_0", "1'0", " 1", "1 ", "1\t", "1e5.0", "1e999999999", "1e-100000", "1/0", "1/", "/2", "1/2/3", "one")
+EXACT_NUMBERS = [("alpha", "--value"), ("alpha", "--radius"), ("flow", "--shape"), ("flow", "--simplify"),
+                 ("flow --reconstruct", "--ratio"), ("polygon offset", "--distance"),
+                 ("polygon offset --distance 1", "--precision")]
+DOUBLES = [(command, option) for command in ("delaunay", "voronoi", "alpha", "flow")
+           for option in ("--memory", "--timeout", "--weld")] + [
+    ("homology", "--timeout"), ("persistence", "--timeout"), ("polygon union", "--flatten"), ("minkowski", "--ball")]
+WHOLES = [("alpha", "--pieces"), ("flow", "--stable"), ("flow", "--unstable"), ("homology", "--prime"),
+          ("persistence", "--prime"), ("alpha --persistence", "--prime")] + [
+    (command, option) for command in ("delaunay", "voronoi", "alpha", "flow", "homology", "persistence")
+    for option in ("--threads", "--seed")]
+
+
+class Numbers(CommandTest):
+    def refused(self, command, option, word):
+        words = command.split()
+        done = self.run_quoin(*words, "missing.xyz", f"{option}={word}", code=USAGE)
+        self.assertIn(option, done.stderr, word)
+        return done.stderr
+
+    def test_what_is_no_number_is_a_mistake_of_usage(self):
+        for command, option in EXACT_NUMBERS + DOUBLES + WHOLES:
+            for word in NOT_NUMBERS:
+                self.refused(command, option, word)
+        for command, option in DOUBLES:
+            self.refused(command, option, "1/2")
+            self.assertIn("beyond the largest double", self.refused(command, option, "1e400"))
+        for command, option in WHOLES:
+            for word in ("1.5", "1e0", "-1", "+1", "1/1", "18446744073709551616"):
+                self.refused(command, option, word)
+        for command, option in EXACT_NUMBERS:
+            self.assertIn("exponent beyond 99999", self.refused(command, option, "1e100000"))
+        done = self.run_quoin("flow", "missing.xyz", "--shape", "nan", "--json", code=USAGE)
+        self.assertEqual(json.loads(done.stdout)["exit_code"], USAGE)
+
+    def test_numbers_out_of_range(self):
+        for command, option, word in (("alpha", "--radius", "-1"), ("alpha", "--radius", "-1e-400"), ("flow", "--shape", "-1/3"),
+                                      ("flow", "--simplify", "-1"), ("flow --reconstruct", "--ratio", "-1e-400"),
+                                      ("flow --reconstruct", "--ratio", "1000001/1000000"), ("flow", "--stable", "0"),
+                                      ("flow", "--stable", "4"), ("flow", "--unstable", "3"), ("alpha", "--pieces", "0"),
+                                      ("alpha", "--pieces", "4294967296"), ("alpha", "--memory", "0"), ("alpha", "--weld", "-1"),
+                                      ("alpha", "--timeout", "0"), ("polygon offset --distance 1", "--precision", "0")):
+            self.refused(command, option, word)
+
+    def test_exact_numbers_beyond_doubles(self):
+        self.write("c.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n")
+        whole = self.json_of("alpha", "c.xyz")["shape"]
+        for word, exact in (("1e400", "1" + 400 * "0"), ("+10.50E+399", "105" + 398 * "0"), ("1e99999", "1" + 99999 * "0")):
+            report = self.json_of("alpha", "c.xyz", "--value", word)
+            self.assertEqual((report["shape"], report["value"], report["exact_value"]), (whole, None, exact))
+            report = self.json_of("flow", "c.xyz", "--shape", word)["shape"]
+            self.assertEqual((report["betti_numbers"], report["distance"], report["exact_distance"]), ([1, 0, 0], None, exact))
+            self.json_of("flow", "c.xyz", "--simplify", word)
+        for word in ("1e-400", "0." + 400 * "0" + "1", "1e-99999", "1/1" + 400 * "0"):
+            self.assertEqual(self.json_of("alpha", "c.xyz", "--value", word)["shape"]["simplices"], [4, 0, 0, 0])
+            report = self.json_of("flow", "c.xyz", "--shape", word)["shape"]
+            self.assertEqual((report["betti_numbers"], report["distance"]), ([4, 0, 0], 0))
+            self.assertTrue(report["exact_distance"].startswith("1/1000"))
+        # Reading keeps the order: what is beyond the largest double is more than that.
+        self.assertEqual(self.json_of("alpha", "c.xyz", "--value", "1.7976931348623158e308")["value"], 1.7976931348623157e308)
+        self.assertIsNone(self.json_of("alpha", "c.xyz", "--value", "1.8e308")["value"])
+        self.assertEqual(self.json_of("alpha", "c.xyz", "--radius", "1e200")["exact_value"], str(int(1e200) ** 2))
+        self.assertEqual(self.json_of("alpha", "c.xyz", "--value", "0e99999")["exact_value"], "0")
+
+    def test_decimals_are_their_nearest_doubles_and_fractions_are_exact(self):
+        self.write("c.xyz", "0 0 0\n2 0 0\n0 2 0\n0 0 2\n")
+        third = self.json_of("flow", "c.xyz", "--shape", "4/3")["shape"]
+        self.assertEqual((third["distance"], third["exact_distance"]), (4 / 3, "4/3"))
+        self.assertNotIn("exact_distance", self.json_of("flow", "c.xyz", "--shape", "0.1")["shape"])
+        self.assertEqual(self.json_of("alpha", "c.xyz", "--value", "0.1")["exact_value"], "3602879701896397/36028797018963968")
+        half = self.json_of("flow", "c.xyz", "--reconstruct", "--ratio", "1/2")
+        self.assertEqual(half, self.json_of("flow", "c.xyz", "--reconstruct", "--ratio", "0.5"))
+        self.assertEqual(self.json_of("flow", "c.xyz", "--reconstruct", "--ratio", "1/3")["solid"]["exact_ratio"], "1/3")
+        # Midpoints of the axes' edges are at 1 exactly, others at the root of 2, which no fraction is.
+        for word, joined in (("1", 1), ("9999999999999999999999/10000000000000000000000", 4)):
+            self.assertEqual(self.json_of("flow", "c.xyz", "--shape", word)["shape"]["betti_numbers"][0], joined)
+        # Digits alone are decimal.
+        self.assertEqual(self.json_of("alpha", "c.xyz", "--pieces", "010"), self.json_of("alpha", "c.xyz", "--pieces", "10"))
+
+
 class Codes(CommandTest):
     def test_bad_geometry(self):
         for command, words in COMMANDS.items():
