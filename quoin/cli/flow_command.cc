@@ -99,12 +99,13 @@ int run_flow(const Options& options, const Context& context) {
   report["dimension"] = triangulation.dimension();
   if (triangulation.dimension() < 3) {
     FlowOfFlat flow(triangulation, options, context);
+    if (writes(options, Target::Kind::page)) flow.announce_page();
     flow.report(report, warnings);
     write_cells({.grid = [&] { return flow.grid(); },
                  .mesh = [&] { return flow.mesh(); },
                  .cells = [&] { return flow.exact_cells(); },
                  .text = {},
-                 .page = []() -> LayeredScene { throw InputError("there is no page of points of one plane"); },
+                 .page = [&] { return flow.page(file); },
                  .drawing = drawing_of(flow.histograms(), options)},
                 options, warnings, context);
   } else {

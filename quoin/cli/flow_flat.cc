@@ -6,7 +6,11 @@
 #include <span>
 #include <utility>
 
+#include "quoin/cli/flat_scene.h"
+#include "quoin/cli/flow_of_space.h"
+#include "quoin/cli/flow_page.h"
 #include "quoin/cli/flow_report.h"
+#include "quoin/cli/memory.h"
 #include "quoin/flow/critical_values.h"
 
 namespace quoin::cli {
@@ -242,6 +246,17 @@ ExactCells FlowOfFlat::exact_cells() {
   }
   add_triangles(shape);
   return shape.exact(context_);
+}
+
+LayeredScene FlowOfFlat::page(const PointFile& file) {
+  context_.progress("page", 0);
+  return scene_of_flat_flow(flow_, triangulation_, flat_page_of(options_, triangulation_.vertex_count()), file,
+                            context_);
+}
+
+void FlowOfFlat::announce_page() const {
+  const std::size_t points = triangulation_.vertex_count();
+  announce_memory(memory_of_flow(points, options_) + memory_of_flat_page(points), points, options_);
 }
 
 Mesh FlowOfFlat::mesh() {

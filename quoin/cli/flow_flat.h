@@ -10,8 +10,10 @@
 #include "quoin/cli/options.h"
 #include "quoin/flow/flat_flow.h"
 #include "quoin/io/exact_cells.h"
+#include "quoin/io/point_file.h"
 #include "quoin/io/vtk_grid.h"
 #include "quoin/solid/mesh.h"
+#include "quoin/view/layered_scene.h"
 
 namespace quoin::cli {
 
@@ -28,6 +30,9 @@ class FlowOfFlat {
   ExactCells exact_cells();
   /// Triangles of the plane.
   Mesh mesh();
+  LayeredScene page(const PointFile& file);
+  /// @throws InputError  a page takes more memory than there is
+  void announce_page() const;
   const std::vector<FlowHistogram>& histograms() const { return histograms_; }
 
  private:

@@ -1,49 +1,35 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "quoin/cli/flow_grades.h"
 
-#include <algorithm>
-#include <cmath>
-#include <numeric>
-#include <utility>
-
 namespace quoin::cli {
 
 namespace {
 
-double middle(const Interval& interval) {
-  if (!std::isfinite(interval.upper())) return interval.upper();
-  return interval.lower() + (interval.upper() - interval.lower()) / 2;
+std::vector<CriticalEdge> critical_edges(const FlowGraph& graph, const Context& context) {
+  std::vector<CriticalEdge> edges;
+  graph.cells().for_each_critical_edge(context, [&edges](std::uint32_t cell, unsigned edge) {
+    edges.push_back({cell, edge});
+  });
+  return edges;
 }
 
 }  // namespace
 
 FlowGrades::FlowGrades(const FlowGraph& graph, const Context& context)
-    : graph_(graph), values_(graph.cells().triangulation()) {
-  graph.cells().for_each_critical_edge(context, [this](std::uint32_t cell, unsigned edge) {
-    edges_.push_back({cell, edge});
-  });
-  const std::uint32_t count = first_maximum() + static_cast<std::uint32_t>(graph.maxima().size());
-  std::vector<Interval> squares;
-  squares.reserve(count);
-  for (std::uint32_t i = 0; i < count; ++i) {
-    if (i % 4096 == 0) context.poll();
-    squares.push_back(bounds(i));
+    : graph_(graph),
+      values_(graph.cells().triangulation()),
+      edges_(critical_edges(graph, context)),
+      grades_(squares(), context) {
+  for (const std::uint32_t i : grades_.order()) {
+    if (i < first_saddle()) edges_in_order_.push_back(i);
+    if (i >= first_saddle() && i < first_maximum()) saddles_in_order_.push_back(i - first_saddle());
   }
-  std::vector<std::uint32_t> order(count);
-  std::iota(order.begin(), order.end(), 0U);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return squares[a].lower() < squares[b].lower() || (squares[a].lower() == squares[b].lower() && a < b);
-  });
-  context.poll();
-  grade_.resize(count);
-  for (std::size_t begin = 0; begin < count;) {
-    double high = squares[order[begin]].upper();
-    std::size_t end = begin + 1;
-    for (; end < count && squares[order[end]].lower() <= high; ++end)
-      high = std::max(high, squares[order[end]].upper());
-    add_group(std::span(order).subspan(begin, end - begin), squares, context);
-    begin = end;
-  }
+}
+
+SquareList FlowGrades::squares() const {
+  return {.count = first_maximum() + static_cast<std::uint32_t>(graph_.maxima().size()),
+          .bounds = [this](std::uint32_t i) { return bounds(i); },
+          .exact = [this](std::uint32_t i) { return exact(i); }};
 }
 
 Interval FlowGrades::bounds(std::uint32_t i) const {
@@ -56,49 +42,6 @@ Rational FlowGrades::exact(std::uint32_t i) const {
   if (i < first_saddle()) return values_.exactly_of_edge(edges_[i].cell, edges_[i].edge);
   if (i < first_maximum()) return graph_.exact_square_of_saddle(i - first_saddle());
   return graph_.exact_square_of_maximum(i - first_maximum());
-}
-
-/// Of critical points whose bounds overlap, and with those of no others.
-void FlowGrades::add_group(std::span<const std::uint32_t> group, std::span<const Interval> squares,
-                           const Context& context) {
-  const auto add = [&](std::uint32_t i) {
-    grade_[i] = count() - 1;
-    if (i < first_saddle()) edges_in_order_.push_back(i);
-    if (i >= first_saddle() && i < first_maximum()) saddles_in_order_.push_back(i - first_saddle());
-  };
-  const bool is_one = group.size() == 1 || std::ranges::all_of(group, [&](std::uint32_t i) {
-                        return squares[i].is_point() && squares[i] == squares[group[0]];
-                      });
-  if (is_one) {
-    add_grade(middle(squares[group[0]]), group[0]);
-    for (const std::uint32_t i : group) add(i);
-    return;
-  }
-  std::vector<std::pair<Rational, std::uint32_t>> sorted;
-  for (const std::uint32_t i : group) {
-    if (sorted.size() % 256 == 0) context.poll();
-    sorted.emplace_back(exact(i), i);
-  }
-  std::sort(sorted.begin(), sorted.end());
-  for (std::size_t k = 0; k < sorted.size(); ++k) {
-    if (k == 0 || sorted[k].first != sorted[k - 1].first) add_grade(sorted[k].first.to_double(), sorted[k].second);
-    add(sorted[k].second);
-  }
-}
-
-void FlowGrades::add_grade(double square, std::uint32_t example) {
-  squares_.push_back(std::max(square, squares_.back()));
-  example_.push_back(example);
-}
-
-std::uint32_t FlowGrades::up_to(const Rational& square) const {
-  if (square.sign() == Sign::negative) return 0;
-  const Interval around = Interval::around(square);
-  const auto above = std::partition_point(example_.begin(), example_.end(), [&](std::uint32_t i) {
-    return is_at_most(
-        bounds(i), [&] { return exact(i); }, square, around);
-  });
-  return 1 + static_cast<std::uint32_t>(above - example_.begin());
 }
 
 }  // namespace quoin::cli

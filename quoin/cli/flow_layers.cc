@@ -20,19 +20,6 @@ std::uint64_t key_of(const std::array<std::uint32_t, 2>& edge) {
   return static_cast<std::uint64_t>(low) << 32 | high;
 }
 
-std::uint32_t add_point(LayeredScene& scene, const Point3& p) {
-  scene.near_points.push_back(p);
-  return static_cast<std::uint32_t>(scene.point_count() - 1);
-}
-
-bool is_finite(const Point3& p) {
-  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
-
-Point3 between(const Point3& a, const Point3& b, double part) {
-  return {a.x * (1 - part) + b.x * part, a.y * (1 - part) + b.y * part, a.z * (1 - part) + b.z * part};
-}
-
 /// For points that are drawn and not told: within a part in four thousand of the size of the scene, a fraction of a
 /// pixel, by bounds that are much wider than errors are.
 double precision_of(const std::vector<Point3>& points) {
@@ -81,7 +68,7 @@ std::uint32_t SurfaceLayers::midpoint(const std::array<std::uint32_t, 2>& edge) 
   if (is_new) {
     const Point3& a = graph_.cells().triangulation().point(edge[0]);
     const Point3& b = graph_.cells().triangulation().point(edge[1]);
-    at->second = add_point(scene_, {a.x / 2 + b.x / 2, a.y / 2 + b.y / 2, a.z / 2 + b.z / 2});
+    at->second = add_near_point(scene_, {a.x / 2 + b.x / 2, a.y / 2 + b.y / 2, a.z / 2 + b.z / 2});
   }
   return at->second;
 }
@@ -89,7 +76,7 @@ std::uint32_t SurfaceLayers::midpoint(const std::array<std::uint32_t, 2>& edge) 
 std::uint32_t SurfaceLayers::constructed(std::uint32_t node) {
   if (constructed_[node] == none) {
     const Point3 p = surfaces_.chain().near_point(node, precision_);
-    constructed_[node] = add_point(scene_, {p.x * unscale_, p.y * unscale_, p.z * unscale_});
+    constructed_[node] = add_near_point(scene_, {p.x * unscale_, p.y * unscale_, p.z * unscale_});
   }
   return constructed_[node];
 }
@@ -100,7 +87,7 @@ WayLayer::WayLayer(const FlowGraph& graph, const FlowPlaces& places, LayeredScen
       scene_(scene),
       values_(graph.cells().triangulation()),
       arcs_(graph.cells()),
-      box_(scene.points),
+      segments_(scene),
       owner_(graph.cells().cells().size(), none),
       centre_(graph.cells().cells().size(), none),
       precision_(precision_of(scene.points)),
@@ -122,8 +109,8 @@ void WayLayer::add(std::uint32_t saddle, std::uint32_t stop, SceneLayer& layer, 
     if (graph_.cells().is_ghost(side)) continue;
     const std::uint32_t first = graph_.cells().first_of(side);
     const std::uint32_t next = centre(first);
-    Spot from{scene_.near_points[point - scene_.points.size()], point};
-    draw(from, spots_[next], places_.owner_of_saddle(saddle), stop, layer);
+    SceneSpot from{scene_.near_points[point - scene_.points.size()], point};
+    segments_.draw(from, spots_[next], places_.owner_of_saddle(saddle), stop, layer);
     follow(places_.owner_of_saddle(saddle), first, stop, layer, context);
   }
 }
@@ -136,15 +123,15 @@ void WayLayer::follow(std::uint32_t from, std::uint32_t cell, std::uint32_t stop
     const bool is_new = owner_[cell] == none;
     if (is_new) owner_[cell] = next_owner_++;
     scene_.links.push_back({from, owner_[cell]});
-    Spot at = spots_[centre(cell)];
-    if (!is_new || !box_.holds(at.at)) return;  // out there all leads to infinity
+    SceneSpot at = spots_[centre(cell)];
+    if (!is_new || !segments_.box().holds(at.at)) return;  // out there all leads to infinity
     from = owner_[cell];
     const std::optional<ArcLeg> leg = arcs_.way_on(cell, context, precision_);
     if (!leg) return;
     for (const Point3& p : leg->points) {
-      Spot next{p, none};
-      draw(at, next, from, stop, layer);
-      if (!box_.holds(p)) return;
+      SceneSpot next{p};
+      segments_.draw(at, next, from, stop, layer);
+      if (!segments_.box().holds(p)) return;
       at = next;
     }
     std::optional<std::uint32_t> next = leg->next;
@@ -154,26 +141,9 @@ void WayLayer::follow(std::uint32_t from, std::uint32_t cell, std::uint32_t stop
       arcs_.end(end.cell, context);
       next = graph_.cells().first_of(end.cell);
     }
-    draw(at, spots_[centre(*next)], from, stop, layer);
+    segments_.draw(at, spots_[centre(*next)], from, stop, layer);
     cell = *next;
   }
-}
-
-/// What of a segment is not far outside.
-void WayLayer::draw(Spot& a, Spot& b, std::uint32_t owner, std::uint32_t stop, SceneLayer& layer) {
-  if (!is_finite(a.at) || !is_finite(b.at)) return;
-  const auto part = box_.part_of(a.at, b.at);
-  if (!part) return;
-  const std::uint32_t from = part->first == 0 ? point_of(a) : add_point(scene_, between(a.at, b.at, part->first));
-  const std::uint32_t to = part->second == 1 ? point_of(b) : add_point(scene_, between(a.at, b.at, part->second));
-  layer.vertices.insert(layer.vertices.end(), {from, to});
-  layer.begin.push_back(stop);
-  layer.owners.push_back(owner);
-}
-
-std::uint32_t WayLayer::point_of(Spot& spot) {
-  if (spot.point == none) spot.point = add_point(scene_, spot.at);
-  return spot.point;
 }
 
 /// The spot of a Voronoi vertex.

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "quoin/base/context.h"
+#include "quoin/cli/clipped_segments.h"
 #include "quoin/cli/flow_grades.h"
-#include "quoin/cli/scene_box.h"
 #include "quoin/flow/flow_reconstruction.h"
 #include "quoin/flow/saddle_surfaces.h"
 #include "quoin/view/layered_scene.h"
@@ -66,14 +66,7 @@ class WayLayer {
   void add(std::uint32_t saddle, std::uint32_t stop, SceneLayer& layer, const Context& context);
 
  private:
-  /// A place on a way, and its point in the scene, if it is there.
-  struct Spot {
-    Point3 at;
-    std::uint32_t point;
-  };
   void follow(std::uint32_t from, std::uint32_t cell, std::uint32_t stop, SceneLayer& layer, const Context& context);
-  void draw(Spot& a, Spot& b, std::uint32_t owner, std::uint32_t stop, SceneLayer& layer);
-  std::uint32_t point_of(Spot& spot);
   std::uint32_t centre(std::uint32_t cell);
 
   const FlowGraph& graph_;
@@ -81,10 +74,10 @@ class WayLayer {
   LayeredScene& scene_;
   CriticalValues values_;
   SaddleArcs arcs_;
-  SceneBox box_;                       // beyond which nothing is drawn
+  ClippedSegments segments_;
   std::vector<std::uint32_t> owner_;   // by cell
   std::vector<std::uint32_t> centre_;  // by cell, among the spots
-  std::vector<Spot> spots_;
+  std::vector<SceneSpot> spots_;
   double precision_;
   std::uint32_t next_owner_;
 };

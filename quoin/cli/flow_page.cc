@@ -44,6 +44,23 @@ FlowPage flow_page_of(const Options& options, std::size_t points) {
   return page;
 }
 
+FlowPage flat_page_of(const Options& options, std::size_t points) {
+  if (options.shape) return {.edges = true, .surfaces = true, .distance = *options.shape * *options.shape};
+  FlowPage page{.edges = options.stable == 1, .surfaces = options.stable == 2, .ways = options.unstable == 1};
+  if (options.stable == 3 || options.simplify || options.reconstruct) {
+    page.left_out = "solids and regions of space: points of one plane enclose nothing";
+  } else if (options.unstable == 2) {
+    page.left_out = "ways from index 2: straight across the plane to infinity";
+  }
+  if (options.stable != 0 || options.unstable != 0 || !page.left_out.empty()) return page;
+  const bool are_few = points <= most_points_by_default;
+  page.edges = page.surfaces = page.ways = are_few;
+  if (!are_few)
+    page.left_out = "edges, surfaces and ways: there are more than " + std::to_string(most_points_by_default) +
+                    " points (--stable 1, --stable 2, --unstable 1 ask for them)";
+  return page;
+}
+
 std::uint64_t memory_of_flow_page(const FlowPage& page, const FlowCells& flow) {
   const std::array<std::size_t, 4>& counts = flow.counts();
   std::uint64_t bytes = 110 * (counts[0] + counts[1] + counts[2] + counts[3]);
@@ -54,6 +71,11 @@ std::uint64_t memory_of_flow_page(const FlowPage& page, const FlowCells& flow) {
   if (page.sheets) bytes += 30000 * counts[0];
   if (page.ways) bytes += 300 * std::min(flow.cells().size(), most_flow_segments);
   return bytes;
+}
+
+std::uint64_t memory_of_flat_page(std::size_t points) {
+  constexpr std::uint64_t bytes_per_point = 2000;
+  return points * bytes_per_point;
 }
 
 }  // namespace quoin::cli

@@ -19,7 +19,7 @@ namespace quoin::cli {
 struct FlowPage {
   bool edges = false;                              ///< what flows to saddles of index 1
   bool surfaces = false;                           ///< what flows to those of index 2
-  bool ways = false;                               ///< where it flows from those
+  bool ways = false;                               ///< where it flows from those; in a plane, from those of index 1
   bool sheets = false;                             ///< what flows from saddles of index 1
   bool tunnels = false;                            ///< in the persistence diagram
   std::string wall_name{};                         ///< empty, or a layer with the surfaces of
@@ -40,7 +40,12 @@ inline constexpr std::size_t most_flow_segments = std::size_t{1} << 21;
 /// maxima are to be filled in.
 FlowPage flow_page_of(const Options& options, std::size_t points);
 
+/// The same of points of one plane, line or place: `ways` are those of index 1, and there are no walls.
+FlowPage flat_page_of(const Options& options, std::size_t points);
+
 /// Bytes that the page will take beside the cells, the graph included. Measured on noisy surfaces and in cubes.
 std::uint64_t memory_of_flow_page(const FlowPage& page, const FlowCells& flow);
+/// The same of points of one plane or line, of which so many are different.
+std::uint64_t memory_of_flat_page(std::size_t points);
 
 }  // namespace quoin::cli

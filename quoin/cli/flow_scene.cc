@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <span>
 #include <utility>
 
 #include "quoin/base/disjoint_sets.h"
 #include "quoin/cli/flow_layers.h"
+#include "quoin/cli/flow_scene_parts.h"
 #include "quoin/cli/flow_tunnels.h"
 #include "quoin/cli/page_values.h"
 #include "quoin/cli/point_scenes.h"
@@ -20,28 +20,11 @@ namespace {
 using Kind = SceneLayer::Kind;
 
 constexpr std::size_t poll_step = 4096;
-constexpr std::size_t most_at_first = 3000;  // critical points of an index; more hide what they stand on
-constexpr std::size_t most_maxima_at_first = 300'000;
-constexpr std::size_t most_on_surfaces = 12'000;  // points, edges, maxima
-constexpr std::size_t most_edges_at_first = 200'000;
-constexpr std::size_t most_ways_at_first = 4000;
-// By index, as the diagram has the classes that they begin.
-constexpr std::array<Color, 4> color_of_index{Color{47, 111, 181, 255}, Color{200, 69, 92, 255},
-                                              Color{43, 145, 96, 255}, Color{138, 91, 181, 255}};
 // Of critical points near the surface: lighter.
 constexpr std::array<Color, 4> color_of_surface{Color{47, 111, 181, 255}, Color{236, 168, 180, 255},
                                                 Color{150, 208, 180, 255}, Color{200, 176, 224, 255}};
-constexpr Color edge_color{214, 130, 145, 255};
-constexpr Color surface_color{120, 186, 150, 120};
 constexpr Color wall_color{125, 158, 198, 255};
-constexpr Color way_color{166, 132, 198, 255};
 constexpr Color other_color{150, 150, 158, 255};
-
-std::vector<std::uint32_t> first_inputs(const Delaunay3& triangulation) {
-  std::vector<std::uint32_t> first;
-  for (std::uint32_t v = 0; v < triangulation.vertex_count(); ++v) first.push_back(triangulation.inputs(v)[0]);
-  return first;
-}
 
 class FlowScene {
  public:
@@ -178,7 +161,8 @@ class FlowScene {
       if (has_owned()) layer.owners.push_back(first + i - places_.first_edge);
     }
     const std::size_t most_maxima = has_surfaces() ? most_on_surfaces : most_maxima_at_first;
-    layer.is_shown = index == 3 ? layer.vertices.size() <= most_maxima : !has_walls() && count <= most_at_first;
+    layer.is_shown =
+        index == 3 ? layer.vertices.size() <= most_maxima : !has_walls() && count <= most_critical_at_first;
     scene_.layers.push_back(std::move(layer));
   }
 
@@ -207,24 +191,12 @@ class FlowScene {
     scene_.counts = {std::move(counts), std::move(numbers)};
   }
 
-  /// Says from where on elements are missing, and takes those away that begin then, of which there may be some.
-  void cut(SceneLayer& layer, std::uint32_t stop) {
-    const std::size_t width = static_cast<std::size_t>(layer.kind) + 1;
-    while (!layer.begin.empty() && layer.begin.back() >= stop) {
-      layer.begin.pop_back();
-      layer.owners.pop_back();
-      layer.vertices.resize(layer.vertices.size() - width);
-    }
-    const std::string last = stop > 0 ? "up to distance " + short_text(std::sqrt(stops_.value(stop - 1))) : "none";
-    scene_.facts.emplace_back(layer.name, last + " only: more are too many for a page");
-  }
-
   void add_edges() {
-    SceneLayer layer{.name = "Edges (stable 1)", .kind = Kind::segments, .color = edge_color};
+    SceneLayer layer{.name = "Edges (stable 1)", .kind = Kind::segments, .color = stable_edge_color};
     for (const std::uint32_t i : grades_.edges_in_order()) {
       const std::uint32_t stop = stops_.stop_of(grades_.of_edge(i));
       if (layer.begin.size() >= most_flow_segments) {
-        cut(layer, stop);
+        cut_layer(layer, stop, stops_, scene_);
         break;
       }
       const std::array<std::uint32_t, 2> ends = ends_of(i);
@@ -242,7 +214,7 @@ class FlowScene {
     for (const std::uint32_t i : saddles) {
       const std::uint32_t stop = stops_.stop_of(grades_.of_saddle(i));
       if (layer.begin.size() >= most_flow_triangles) {
-        cut(layer, stop);
+        cut_layer(layer, stop, stops_, scene_);
         break;
       }
       surfaces.add(i, stop, layer, context_);
@@ -264,7 +236,7 @@ class FlowScene {
   void add_surfaces() {
     context_.progress("surfaces", 0);
     add_surfaces_of(grades_.saddles_in_order(),
-                    {.name = "Surfaces (stable 2)", .kind = Kind::triangles, .color = surface_color});
+                    {.name = "Surfaces (stable 2)", .kind = Kind::triangles, .color = stable_surface_color});
   }
 
   void add_walls() {
@@ -285,7 +257,7 @@ class FlowScene {
     for (const std::uint32_t i : grades_.saddles_in_order()) {
       const std::uint32_t stop = stops_.stop_of(grades_.of_saddle(i));
       if (layer.begin.size() >= most_flow_segments) {
-        cut(layer, stop);
+        cut_layer(layer, stop, stops_, scene_);
         break;
       }
       ways.add(i, stop, layer, context_);

@@ -26,6 +26,18 @@ bool SceneBox::holds(const Point3& p) const {
   return low_.x <= p.x && p.x <= high_.x && low_.y <= p.y && p.y <= high_.y && low_.z <= p.z && p.z <= high_.z;
 }
 
+Point3 SceneBox::beyond(const Point3& from, const Vector3& direction) const {
+  constexpr double largest = std::numeric_limits<double>::max();
+  double half = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) half = std::max(half, high_[axis] / 2 - low_[axis] / 2);
+  Point3 to = from;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double at = from[axis] / 4 + half * direction[axis];
+    to[axis] = std::clamp(at, -largest / 4, largest / 4) * 4;
+  }
+  return to;
+}
+
 std::optional<std::pair<double, double>> SceneBox::part_of(const Point3& a, const Point3& b) const {
   double from = 0;
   double to = 1;

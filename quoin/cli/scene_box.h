@@ -17,6 +17,8 @@ class SceneBox {
   explicit SceneBox(const std::vector<Point3>& points);
 
   bool holds(const Point3& p) const;
+  /// From a point inside, straight along a direction whose largest coordinate is 1, to somewhere outside.
+  Point3 beyond(const Point3& from, const Vector3& direction) const;
   /// The part of a segment that is inside, by fractions of it.
   std::optional<std::pair<double, double>> part_of(const Point3& a, const Point3& b) const;
 

@@ -41,17 +41,22 @@ std::uint32_t FlatFlow::beyond(std::uint32_t edge, std::uint32_t polygon) const 
   return FlatWay::infinity;
 }
 
-std::uint32_t FlatFlow::next(std::uint32_t polygon, bool& passes) const {
+std::optional<std::uint32_t> FlatFlow::exit(std::uint32_t polygon, bool& passes) const {
   passes = false;
   const DeloneFace crossed = flow_.crossed({2, polygon});
-  if (crossed.dimension == 1) return beyond(crossed.index, polygon);
-  if (flow_.is_critical({2, polygon})) return polygon;
+  if (crossed.dimension == 1) return crossed.index;
+  if (flow_.is_critical({2, polygon})) return std::nullopt;
   // The centre is on one side.
   passes = true;
   const std::span<const std::uint32_t> sides = flow_.faces().sides(polygon);
   std::size_t at = 0;
   while (flow_.signs().at_side(flow_.faces(), polygon, at) != Sign::zero) ++at;
-  return beyond(sides[at], polygon);
+  return sides[at];
+}
+
+std::uint32_t FlatFlow::next(std::uint32_t polygon, bool& passes) const {
+  const std::optional<std::uint32_t> edge = exit(polygon, passes);
+  return edge ? beyond(*edge, polygon) : polygon;
 }
 
 void FlatFlow::trace(std::uint32_t polygon, const Context& context) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "quoin/base/context.h"
@@ -36,8 +37,10 @@ class FlatFlow {
 
   /// The two ways of a critical edge. Each polygon is advanced once. @throws Cancelled
   std::array<FlatWay, 2> ways(std::uint32_t edge, const Context& context);
-  /// The polygon whose centre comes next; infinity, or the polygon itself where the flow stops. Behind a stationary
-  /// point that is not critical it goes on, if `pass` is set.
+  /// The edge across which the flow leaves the centre of a polygon; nothing where it stops. Behind a stationary point
+  /// that is not critical it goes on; `passes` is set there.
+  std::optional<std::uint32_t> exit(std::uint32_t polygon, bool& passes) const;
+  /// The polygon whose centre comes next; infinity, or the polygon itself where the flow stops.
   std::uint32_t next(std::uint32_t polygon, bool& passes) const;
 
   const FlowComplex& complex() const { return flow_; }

@@ -37,11 +37,11 @@ def minus(a, b):
     return [Fraction(x) - Fraction(y) for x, y in zip(a, b)]
 
 
-def critical_points(points):
+def critical_points(points, dimension=3):
     """By definition, in general position: index and squared distance, of simplices with their centre inside and no other
-    point in the closed ball."""
+    point in the closed ball. Of a plane they have dimension 2."""
     found = []
-    for size in range(1, 5):
+    for size in range(1, dimension + 2):
         for simplex in itertools.combinations(points, size):
             sides = [minus(p, simplex[0]) for p in simplex[1:]]
             weights = solve([[2 * dot(a, b) for b in sides] for a in sides], [dot(a, a) for a in sides])
@@ -255,13 +255,134 @@ class Pages(PageTest):
             self.assertEqual(page.counts, expected.counts)
             self.assertEqual({name: len(list_) for name, list_ in page.layers.items()},
                              {name: len(list_) for name, list_ in expected.layers.items()})
-        self.assertIn("one plane", self.run_quoin("flow", "-", "-o", "x.html", stdin="0 0\n1 0\n0 1\n", code=REFUSED).stderr)
         self.write("c.xyz", text_of(cloud(2000, 3)))
         self.run_quoin("flow", "c.xyz", "--memory", "4", "-q")
         done = self.run_quoin("flow", "c.xyz", "--memory", "4", "-o", "x.html", code=REFUSED)
         self.assertIn("more than --memory", done.stderr)
         self.run_quoin("alpha", "c.xyz", "--memory", "6", "-q")
         done = self.run_quoin("alpha", "c.xyz", "--memory", "6", "-o", "x.html", code=REFUSED)
+        self.assertIn("more than --memory", done.stderr)
+
+
+def tilted(points):
+    """In the plane z = x + 2 y, exactly: coordinates are whole, or of few digits."""
+    return [(x, y, x + 2 * y) for x, y in points]
+
+
+def flat_cloud(count, seed, grid=None):
+    return [p[:2] for p in cloud(count, 3, seed=seed, grid=grid)]
+
+
+class FlatPages(PageTest):
+    """Of points of one plane, line or place."""
+
+    def flow_page(self, *words, stdin):
+        return FlowPage(*self.page("flow", "-", *words, stdin=stdin))
+
+    def check_every_distance(self, text, most_dimension):
+        page = self.flow_page(stdin=text)
+        self.assertEqual(sorted(set(page.values)), list(page.values))
+        self.assertEqual(len(page.counts["Critical points"]), most_dimension + 1)
+        for at in range(0, len(page.values), 1 + len(page.values) // 12):
+            above = page.values[at + 1] if at + 1 < len(page.values) else page.values[at] + 1
+            distance = math.sqrt((page.values[at] + above) / 2)
+            shape = self.json_of("flow", "-", "--shape", repr(distance), stdin=text)["shape"]
+            self.assertEqual([row[at] for row in page.counts["Critical points"]], shape["critical"][:most_dimension + 1])
+            degrees = max(1, most_dimension)
+            self.assertEqual([row[at] for row in page.counts["Betti numbers"]], shape["betti_numbers"][:degrees])
+            alive = [sum(1 for d, b, e in page.pairs if d == k and b <= at < e) for k in range(3)]
+            self.assertEqual(alive, shape["betti_numbers"])
+        return page
+
+    def test_at_every_distance_it_has_the_critical_points_and_the_shape(self):
+        grid = [(x, y) for x in range(4) for y in range(5)]
+        for points in (flat_cloud(40, 1), flat_cloud(60, 2, grid=6), grid, [(0, 0), (3, 0), (0, 4)],
+                       [(-4, 0), (4, 0), (0, 2), (0, -10)]):
+            in_the_plane = self.check_every_distance(text_of(points), 2)
+            flat = self.check_every_distance(text_of([(x, y, 7) for x, y in points]), 2)
+            self.assertEqual((in_the_plane.counts, in_the_plane.pairs, in_the_plane.onward),
+                             (flat.counts, flat.pairs, flat.onward))
+        self.check_every_distance(text_of(tilted(flat_cloud(40, 3, grid=16))), 2)
+        self.check_every_distance(text_of([(x, x, x) for x in (0, 1, 3, 3, 4.5, 9)]), 1)
+        self.check_every_distance("0 0\n3 4\n", 1)
+        self.check_every_distance("1 2 3\n1 2 3\n", 0)
+
+    def test_definition(self):
+        points = [(x, y, 0) for x, y in flat_cloud(14, 5)]
+        found = [(index, float(square)) for index, square in critical_points(points, 2)]
+        page = self.flow_page(stdin=text_of(points))
+        for name, index in (("Points (index 0)", 0), ("Midpoints (index 1)", 1), ("Maxima (index 2)", 2)):
+            written = sorted(page.values[begin] for _, begin, _ in page.layers[name])
+            for a, b in itertools.zip_longest(written, sorted(s for i, s in found if i == index)):
+                self.assertAlmostEqual(a, b)
+
+    def test_midpoints_own_edges_and_ways_and_maxima_surfaces(self):
+        text = text_of(flat_cloud(80, 4))
+        stable = self.json_of("flow", "-", "--stable", "2", stdin=text)["stable"]
+        unstable = self.json_of("flow", "-", "--unstable", "1", stdin=text)["unstable"]
+        page = self.flow_page(stdin=text)
+        midpoints, maxima = page.begins("Midpoints (index 1)"), page.begins("Maxima (index 2)")
+        self.assertFalse(set(midpoints) & set(maxima))
+        self.assertEqual(page.begins("Edges (stable 1)"), midpoints)
+        surfaces = page.layers["Surfaces (stable 2)"]
+        self.assertEqual((len(surfaces), {owner for owner, _, _ in surfaces}), (stable["triangles"], set(maxima)))
+        self.assertTrue(all(begin == maxima[owner] for owner, begin, _ in surfaces))
+        ends = {m: page.ends_of_ways(m) for m in midpoints}
+        at_maxima = sum(1 for of_one in ends.values() for end in of_one if end in maxima)
+        self.assertEqual(2 * len(midpoints) - at_maxima, unstable["to_infinity"])
+        for midpoint, of_one in ends.items():
+            self.assertTrue(all(maxima[end] > midpoints[midpoint] for end in of_one if end in maxima))
+        # Without ways, midpoints still lead to the maxima beside them.
+        edges = self.flow_page("--stable", "1", stdin=text)
+        self.assertEqual(edges.layers["Edges (stable 1)"], page.layers["Edges (stable 1)"])
+        self.assertNotIn("Surfaces (stable 2)", edges.layers)
+        self.assertNotIn("Ways (unstable 1)", edges.layers)
+        for midpoint, of_one in ends.items():
+            self.assertEqual(sorted(edges.onward.get(midpoint, [])), sorted(end for end in of_one if end in maxima))
+
+    def test_ways_are_along_voronoi_edges_and_end_a_little_outside(self):
+        points = tilted([(x / 1024, y / 1024) for x, y in flat_cloud(50, 6, grid=1024)])
+        header, array = self.page("flow", "-", "--unstable", "1", stdin=text_of(points))
+        page = FlowPage(header, array)
+        self.assertNotIn("Edges (stable 1)", page.layers)
+        near = array(header["nearPoints"])
+        places = points + [[c + header["scale"] * near[i + k] for k, c in enumerate(header["center"])]
+                           for i in range(0, len(near), 3)]
+        low, high = ([f(p[k] for p in points) for k in range(3)] for f in (min, max))
+        margin = max(b - a for a, b in zip(low, high)) / 8 + 1e-5
+        ways = page.layers["Ways (unstable 1)"]
+        for _, _, (a, b) in ways:
+            for part in (0.25, 0.75):
+                at = [(1 - part) * x + part * y for x, y in zip(places[a], places[b])]
+                first, second = sorted(math.dist(at, p) for p in points)[:2]
+                self.assertAlmostEqual(first, second, delta=1e-5)
+                self.assertAlmostEqual(at[0] + 2 * at[1], at[2], delta=1e-5)
+                self.assertTrue(all(low[k] - margin <= at[k] <= high[k] + margin for k in range(3)))
+        self.assertTrue(any(places[b][2] > high[2] for _, _, (_, b) in ways))
+
+    def test_what_is_asked_for(self):
+        text = text_of(flat_cloud(60, 7))
+        for words in (["--stable", "3"], ["--simplify", "0.1"], ["--reconstruct"], ["--unstable", "2"]):
+            page = self.flow_page(*words, stdin=text)
+            self.assertEqual(set(page.layers), {"Points (index 0)", "Midpoints (index 1)", "Maxima (index 2)"})
+            self.assertIn("Not in this page", dict(map(tuple, page.header["facts"])))
+        page = self.flow_page("--shape", "0.1", stdin=text)
+        at = page.header["value"]
+        self.assertTrue(page.values[at] <= 0.1 ** 2 < page.values[at + 1])
+        page = self.flow_page("--shape", "1e400", stdin=text)
+        self.assertEqual(page.header["value"], len(page.values) - 1)
+
+    def test_extremes_and_memory(self):
+        points = flat_cloud(30, 8)
+        expected = self.flow_page(stdin=text_of(points))
+        for factor in (2.0 ** 300, 2.0 ** 1000, 2.0 ** -900):
+            page = self.flow_page(stdin=text_of([tuple(c * factor for c in p) for p in points]))
+            self.assertEqual(page.counts, expected.counts)
+            self.assertEqual({name: len(list_) for name, list_ in page.layers.items()},
+                             {name: len(list_) for name, list_ in expected.layers.items()})
+        self.write("c.xyz", text_of(flat_cloud(2000, 9)))
+        self.run_quoin("flow", "c.xyz", "--memory", "4", "-q")
+        done = self.run_quoin("flow", "c.xyz", "--memory", "4", "-o", "x.html", code=REFUSED)
         self.assertIn("more than --memory", done.stderr)
 
 
