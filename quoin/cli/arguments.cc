@@ -237,6 +237,27 @@ void add_flow(CLI::App& app, Options& options) {
                  "--reconstruct goes by that then");
 }
 
+void add_constrained(CLI::App& app, Options& options) {
+  CLI::App* constrained = add_command(app, options, "constrained",
+                                      "triangles of the plane with given edges: points and segments that may cross");
+  constrained
+      ->add_option("files", options.inputs,
+                   "drawings: wkt, geojson, svg paths, dxf; '-' for standard input; or WKT itself")
+      ->required();
+  constrained->add_option("--points", options.points_file,
+                          "file of more points: xyz txt pts csv ply obj off pcd; '-' for standard input");
+  add_repeatable(*constrained, "-o,--output", options.outputs,
+                 "file to write, format by its ending: svg (a picture), html (a page to look into it), vtk (triangles "
+                 "and edges), ply obj off (triangles), qcells (exact); '-' for standard output; may be repeated");
+  constrained->add_option("--format", options.format,
+                          "format of standard output: an ending without its dot (default: svg)");
+  constrained->add_flag("--inside", options.inside,
+                        "outputs hold triangles inside alone: behind an odd number of edges");
+  constrained->add_flag("--labels", options.labels, "numbers of points in pictures");
+  add_number(*constrained, "--flatten", options.flatten, above_zero,
+             "chords no further than this from arcs, which triangles cannot have");
+}
+
 void add_pictures(CLI::App& command, Options& options, const std::string& formats) {
   add_repeatable(
       command, "-o,--output", options.outputs,
@@ -356,6 +377,7 @@ void add_commands(CLI::App& app, Options& options) {
                options);
   add_topology(app, options);
   add_triangulations(app, options);
+  add_constrained(app, options);
   add_flow(app, options);
   add_queries(app, options);
   add_assembly(app, options);

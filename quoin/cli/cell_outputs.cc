@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "quoin/base/error.h"
+#include "quoin/cli/planar.h"
 #include "quoin/cli/reporting.h"
 #include "quoin/cli/target_writing.h"
 #include "quoin/cli/targets.h"
@@ -37,7 +38,7 @@ void write_one(const Target& target, const CellOutputs& outputs, const Options& 
                std::vector<std::string>& warnings, const Context& context) {
   if (target.kind == Target::Kind::grid) {
     const VtkGrid made = outputs.grid();
-    const std::string title = "quoin " + options.command + " of " + title_of(options.inputs[0]);
+    const std::string title = "quoin " + options.command + " of " + planar_title(options);
     write_target(target, [&](std::ostream& out) { write_vtk(out, made, title, context); });
   } else if (target.kind == Target::Kind::simplices) {
     write_target(target, outputs.text);
@@ -71,6 +72,8 @@ void CellMesh::add_vertex(const PointFile& file, std::uint32_t input) {
 void write_cells(const CellOutputs& outputs, const Options& options, std::vector<std::string>& warnings,
                  const Context& context) {
   for (const Target& target : targets_of(options)) {
+    const bool is_picture = target.kind == Target::Kind::picture || target.kind == Target::Kind::planar_page;
+    if (is_picture) continue;  // of the plane: by `write_picture`
     context.progress("writing", 0);
     try {
       write_one(target, outputs, options, warnings, context);

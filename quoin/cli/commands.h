@@ -23,6 +23,7 @@ int run_width(const Options& options, const Context& context);
 int run_homology(const Options& options, const Context& context);
 int run_persistence(const Options& options, const Context& context);
 int run_delaunay(const Options& options, const Context& context);
+int run_constrained(const Options& options, const Context& context);
 int run_flow(const Options& options, const Context& context);
 int run_voronoi(const Options& options, const Context& context);
 int run_alpha(const Options& options, const Context& context);

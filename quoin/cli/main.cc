@@ -72,6 +72,7 @@ int run(const Options& options) {
                                                {"homology", run_homology},
                                                {"persistence", run_persistence},
                                                {"delaunay", run_delaunay},
+                                               {"constrained", run_constrained},
                                                {"voronoi", run_voronoi},
                                                {"alpha", run_alpha},
                                                {"flow", run_flow}};

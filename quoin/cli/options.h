@@ -23,7 +23,7 @@ struct Options {
   std::string expression;             ///< of `csg`
   std::vector<std::string> points;    ///< of `classify`: "x,y,z"
   std::vector<std::string> lines;     ///< of `classify`: "x,y,z,dx,dy,dz"
-  std::string points_file;            ///< of `classify`: a point per line, "-" for standard input
+  std::string points_file;            ///< of `classify`: a point per line; of `constrained`: more points
   std::vector<std::string> primes;    ///< of `homology`, `persistence`, `alpha`: numbers of elements of fields
   std::string translation;            ///< of `distance`: "x,y,z"
   std::string direction;              ///< of `distance`: "x,y,z"
@@ -60,6 +60,7 @@ struct Options {
   bool weighted = false;              ///< of `delaunay`, `voronoi`, `alpha`: the last column is a weight
   bool check = false;                 ///< of `delaunay`: prove the result
   bool delone = false;                ///< of `delaunay`: outputs hold Delone cells
+  bool inside = false;                ///< of `constrained`: outputs hold what is inside
   bool cells = false;                 ///< of `voronoi`: each cell in the report
   bool exact = false;                 ///< of `voronoi`: exact volumes at any length; of `alpha`: exact values
   std::optional<double> memory;       ///< of the same: megabytes

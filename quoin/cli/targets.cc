@@ -81,6 +81,17 @@ Target cells_target(const std::string& name, const std::string& ending, bool has
   return {name, Target::Kind::mesh, *format};
 }
 
+Target constrained_target(const std::string& name, const std::string& ending) {
+  if (ending == ".svg") return {name, Target::Kind::picture};
+  if (ending == ".html" || ending == ".htm") return {name, Target::Kind::planar_page};
+  try {
+    return cells_target(name, ending, false, false);
+  } catch (const UsageError&) {
+    throw UsageError((name == standard_stream ? "--format '" + ending.substr(1) + "'" : name + ": the ending") +
+                     " tells no format that is written (svg, html, vtk, ply, obj, off, qcells)");
+  }
+}
+
 Target plan_target(const std::string& name, const std::string& ending) {
   if (ending == ".json") return {name, Target::Kind::report};
   if (ending == ".html" || ending == ".htm") return {name, Target::Kind::page};
@@ -94,6 +105,10 @@ Target target_of(const std::string& name, const Options& options) {
     if (name != standard_stream) return planar_target(name, ending_of(name), options);
     const std::string format = options.format.empty() ? (has_default ? "wkt" : "svg") : options.format;
     return planar_target(name, in_small_letters("." + format), options);
+  }
+  if (options.command == "constrained") {
+    if (name != standard_stream) return constrained_target(name, ending_of(name));
+    return constrained_target(name, in_small_letters("." + (options.format.empty() ? "svg" : options.format)));
   }
   if (options.command == "assembly") {
     if (name != standard_stream) return plan_target(name, ending_of(name));

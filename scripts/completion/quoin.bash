@@ -3,7 +3,7 @@
 _quoin() {
   local word="${COMP_WORDS[COMP_CWORD]}" previous="${COMP_WORDS[COMP_CWORD - 1]}"
   local commands="union intersection difference xor csg info check repair convert view classify section interfere \
-hull minkowski erode decompose gaussian-map distance width homology persistence delaunay voronoi alpha flow assembly arrange overlay locate polygon envelope"
+hull minkowski erode decompose gaussian-map distance width homology persistence delaunay voronoi alpha flow assembly arrange overlay locate polygon constrained envelope"
   local common="--json --threads --timeout --seed --weld -q --quiet -v --verbose -h --help"
   local makes="-o --output --format --accept-rounding"
   local draws="-o --output --format --labels"
@@ -25,7 +25,7 @@ hull minkowski erode decompose gaussian-map distance width homology persistence 
         assembly) formats="json html" ;;
         delaunay) formats="vtk ply obj off qcells html" ;;
         voronoi) formats="vtk ply obj off qcells" ;;
-        flow) formats="vtk ply obj off qcells svg html" ;;
+        flow | constrained) formats="vtk ply obj off qcells svg html" ;;
         alpha) formats="vtk ply obj off qcells html txt" ;;
         polygon) formats="wkt geojson dxf svg html" ;;
       esac
@@ -79,6 +79,7 @@ hull minkowski erode decompose gaussian-map distance width homology persistence 
       overlay) options+=" $draws" ;;
       locate) options+=" $draws --point --points" ;;
       polygon) options+=" $draws --fill --flatten --plain --distance --precision --inner --tight --reflect" ;;
+      constrained) options+=" $draws --points --inside --flatten" ;;
       envelope) options+=" -o --output --format --labels --upper --flatten" ;;
     esac
     mapfile -t COMPREPLY < <(compgen -W "$options" -- "$word")
