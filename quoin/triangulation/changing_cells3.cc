@@ -208,7 +208,7 @@ bool ChangingCells3<Signs>::remove(const Signs& signs, std::uint32_t v, const Co
   if (!state.filling.find(state.cells, state.hidden, v, state.star[v], context)) return false;
   state.find_places();
   if constexpr (Signs::may_hide) {
-    for (const std::uint32_t w : state.filling.shown()) state.hidden.take(w, state.star[w]);
+    for (const std::uint32_t w : state.filling.shown()) state.hidden.take(w);
     for (const std::uint32_t c : state.filling.star()) state.hidden.loosen(c);
   }
   const std::uint32_t beside = state.filling.neighbour();
@@ -235,7 +235,7 @@ void ChangingCells3<Signs>::hide(const Signs& signs, std::span<const std::uint32
 
 template <class Signs>
 void ChangingCells3<Signs>::remove_hidden(std::uint32_t v) {
-  state_->hidden.take(v, state_->star[v]);
+  state_->hidden.take(v);
 }
 
 template <class Signs>

@@ -5,8 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "quoin/base/large_vector.h"
 #include "quoin/kernel/point.h"
+#include "quoin/triangulation/changing_points2.h"
+#include "quoin/triangulation/changing_triangles2.h"
 #include "quoin/triangulation/delaunay2.h"
 #include "quoin/triangulation/triangulation2.h"
 
@@ -40,41 +41,31 @@ class ChangingDelaunay2 {
 
   int dimension() const { return dimension_; }
   /// Finite vertices that live.
-  std::size_t vertex_count() const { return count_; }
+  std::size_t vertex_count() const { return points_.count(); }
   /// One past the largest id.
-  std::size_t id_count() const { return points_.size(); }
-  bool lives(Vertex2 v) const { return v.index() < multiplicity_.size() && multiplicity_[v.index()] > 0; }
-  const Point2& point(Vertex2 v) const { return points_[v.index()]; }
-  std::uint32_t multiplicity(Vertex2 v) const { return multiplicity_[v.index()]; }
+  std::size_t id_count() const { return points_.id_count(); }
+  bool lives(Vertex2 v) const { return points_.lives(v); }
+  const Point2& point(Vertex2 v) const { return points_.point(v); }
+  std::uint32_t multiplicity(Vertex2 v) const { return points_.multiplicity(v); }
   static constexpr Vertex2 infinite_vertex() { return Vertex2(0); }
   /// Corners and neighbours as in Triangulation2, with infinite_vertex() as the infinite corner.
-  std::span<const TriangleLinks2> triangles() const { return triangles_; }
+  std::span<const TriangleLinks2> triangles() const { return triangles_.links(); }
   /// Some edge from a living vertex; in dimension 2 only.
-  Edge2 edge_from(Vertex2 v) const { return Edge2(star_[v.index()]); }
+  Edge2 edge_from(Vertex2 v) const { return triangles_.edge_from(v); }
   /// In dimension 0 and 1 the vertices in lexicographic order.
   std::span<const Vertex2> line() const { return line_; }
 
  private:
   Vertex2 add_vertex(const Point2& p);
-  void take_back(Vertex2 v);
   Vertex2 insert_on_line(const Point2& p, const Context& context);
   Vertex2 insert_in_plane(const Point2& p, const Context& context);
   void leave_line(Vertex2 apex, const Context& context);
   void remove_from_plane(Vertex2 v, const Context& context);
   void fall_to_line(Vertex2 gone, const Context& context);
-  bool falls_without(std::span<const std::uint32_t> ring, const Context& context) const;
-  void fill_star(std::span<const std::uint32_t> ring, const Context& context);
-  void drop_triangle(std::uint32_t t);
-  void update_star(std::uint32_t t);
-  std::uint32_t nearby_triangle(const Point2& p) const;
 
-  LargeVector<Point2> points_;
-  std::vector<std::uint32_t> multiplicity_;
-  std::vector<std::uint32_t> free_;
-  TriangleArray2 triangles_;
-  std::vector<std::uint32_t> star_;
+  detail::ChangingPoints2<Point2> points_;
+  detail::ChangingTriangles2 triangles_;
   std::vector<Vertex2> line_;
-  std::size_t count_ = 0;
   int dimension_ = -1;
 };
 

@@ -34,50 +34,58 @@ class HiddenLists {
   /// Hides a point that is shown.
   void put(std::uint32_t id, std::uint32_t cell) {
     ++count_;
-    link(id, first_[cell]);
+    link(id, first_[cell], cell);
   }
   /// Shows a point of a cell's list.
-  void take(std::uint32_t id, std::uint32_t cell) {
+  void take(std::uint32_t id) {
     --count_;
     const std::uint32_t before = std::exchange(previous_[id], shown);
     const std::uint32_t after = next_[id];
-    (before == none ? first_[cell] : next_[before]) = after;
+    ((before & is_list) != 0 ? first_[before & ~is_list] : next_[before]) = after;
     if (after != none) previous_[after] = before;
   }
   /// The list of one cell, which gets none, becomes that of another, which had none.
-  void move(std::uint32_t from, std::uint32_t to) { first_[to] = std::exchange(first_[from], none); }
+  void move(std::uint32_t from, std::uint32_t to) {
+    const std::uint32_t id = std::exchange(first_[from], none);
+    first_[to] = id;
+    if (id != none) previous_[id] = to | is_list;
+  }
 
   /// Hides a point that is shown; it is to be placed.
   void put_loose(std::uint32_t id) {
     ++count_;
-    link(id, loose_);
+    link(id, loose_, loose_list);
   }
   /// All points of a cell are to be placed.
   void loosen(std::uint32_t cell) {
-    for (std::uint32_t id = std::exchange(first_[cell], none); id != none;) link(std::exchange(id, next_[id]), loose_);
+    for (std::uint32_t id = std::exchange(first_[cell], none); id != none;) {
+      link(std::exchange(id, next_[id]), loose_, loose_list);
+    }
   }
   /// One that is to be placed goes into the list of a cell.
   std::uint32_t first_loose() const { return loose_; }
   void place_first_loose(std::uint32_t cell) {
     const std::uint32_t id = std::exchange(loose_, next_[loose_]);
-    link(id, first_[cell]);
+    link(id, first_[cell], cell);
   }
 
  private:
   static constexpr std::uint32_t shown = 0xFFFFFFFE;
+  static constexpr std::uint32_t is_list = 0x80000000;  // ids are smaller, and cells than loose_list
+  static constexpr std::uint32_t loose_list = 0x7FFFFFFD;
 
   static void make_room(std::vector<std::uint32_t>& list, std::size_t size) {
     if (size > list.capacity()) list.reserve(std::max(size, 2 * list.capacity()));
   }
-  void link(std::uint32_t id, std::uint32_t& first) {
-    previous_[id] = none;
+  void link(std::uint32_t id, std::uint32_t& first, std::uint32_t list) {
+    previous_[id] = list | is_list;
     next_[id] = first;
     if (first != none) previous_[first] = id;
     first = id;
   }
 
   std::vector<std::uint32_t> first_;     ///< of each cell
-  std::vector<std::uint32_t> previous_;  ///< of each id; `none` of the first of a list
+  std::vector<std::uint32_t> previous_;  ///< of each id; of the first its list, with is_list
   std::vector<std::uint32_t> next_;
   std::uint32_t loose_ = none;
   std::size_t count_ = 0;

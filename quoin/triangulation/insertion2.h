@@ -57,7 +57,7 @@ class Insertion2 {
   /// Where walks begin: the triangle inserted last, or this one.
   void begin_at(std::uint32_t triangle) { last_ = triangle; }
   std::uint32_t last() const { return last_; }
-  /// The triangles about the vertex inserted last; only where points do not hide.
+  /// The triangles about the vertex inserted last.
   std::span<const std::uint32_t> star() const { return removed_; }
   /// Places in which there is no triangle; only where points hide.
   bool is_left_over(std::uint32_t triangle) const {
@@ -82,6 +82,24 @@ class Insertion2 {
     take_places(fresh);
     fill_star(v);
     return Place::inserted;
+  }
+
+  /// The same in two steps where points may hide, for those who want to know what goes. First the triangles in conflict
+  /// with a query, of which one is known; nothing has changed yet, nor has it after an exception.
+  std::span<const std::uint32_t> conflicts(std::uint32_t first, const Query& p) {
+    try {
+      find_conflicts(first, p, WholePlane());
+    } catch (...) {
+      give_back();
+      throw;
+    }
+    give_back();
+    return removed_;
+  }
+  /// Then the vertex, which was the query, in their places. After an exception these alone hold what they should not.
+  void replace_conflicts(std::uint32_t v, std::uint32_t fresh) {
+    take_places(fresh);
+    fill_star(v);
   }
 
   /// A triangle that holds the query, or an infinite one beyond whose edge it is. None where the walk would leave the

@@ -33,17 +33,7 @@ std::optional<std::array<std::uint32_t, 3>> first_triangle(std::size_t count, co
 /// Moves triangles from the end into places where there are none.
 inline void close_holes(TriangleArray2& triangles, std::vector<std::uint32_t> holes) {
   std::sort(holes.begin(), holes.end(), std::greater<>());
-  for (const std::uint32_t hole : holes) {
-    const auto last = static_cast<std::uint32_t>(triangles.size() - 1);
-    if (hole != last) {
-      triangles[hole] = triangles[last];
-      for (unsigned slot = 0; slot < 3; ++slot) {
-        const std::uint32_t other = triangles[hole].across[slot];
-        triangles[other / 4].across[other % 4] = 4 * hole + slot;
-      }
-    }
-    triangles.pop_back();
-  }
+  for (const std::uint32_t hole : holes) close_hole(triangles, hole);
 }
 
 /// Triangulates vertices 0 to count - 1, starting with three that turn counterclockwise, in rounds of growing size,

@@ -10,40 +10,17 @@
 #include "quoin/base/error.h"
 #include "quoin/base/test_rounds.h"
 #include "quoin/triangulation/delaunay2.h"
-#include "quoin/triangulation/test_points2.h"
+#include "quoin/triangulation/test_weights2.h"
 
 namespace quoin {
 namespace {
 
 using testing::point_sets;
 using testing::Random;
-
-using Weighted = std::vector<WeightedPoint2>;
-
-std::string reproduce(const Weighted& points) {
-  std::ostringstream out;
-  out << std::hexfloat;
-  for (const auto& [p, w] : points) out << "{{" << p.x << ", " << p.y << "}, " << w << "}, ";
-  return out.str();
-}
-
-struct WeightFamily {
-  const char* name;
-  double (*weight)(Random&);
-};
-
-const std::vector<WeightFamily> weights{
-    {"small integers", [](Random& r) { return testing::small_integer(r, 3); }},
-    {"a few large ones", [](Random& r) { return r() % 8 == 0 ? 50.0 * testing::unit(r) : 0.0; }},
-    {"fractions", [](Random& r) { return 0.1 * testing::unit(r); }},
-    {"any doubles", [](Random& r) { return testing::any_finite(r); }},
-};
-
-Weighted weigh(Random& random, const std::vector<Point2>& points, const WeightFamily& family) {
-  Weighted result;
-  for (const Point2& p : points) result.push_back({p, family.weight(random)});
-  return result;
-}
+using testing::reproduce;
+using testing::weigh;
+using testing::Weighted;
+using testing::WeightFamily;
 
 Sign brute_power(const WeightedPoint2& a, const WeightedPoint2& b, const WeightedPoint2& c, const WeightedPoint2& d) {
   testing::Matrix m;
@@ -60,7 +37,8 @@ TEST(Regular2, PowerCirclesAreDeterminants) {
   for (const testing::Family& family : testing::families()) {
     for (int round = 0; round < test_rounds(300); ++round) {
       const auto p = testing::near_degenerate<Point2, 4>(random, family);
-      const Weighted w = weigh(random, {p.begin(), p.end()}, weights[random() % weights.size()]);
+      const Weighted w =
+          weigh(random, {p.begin(), p.end()}, testing::weight_families()[random() % testing::weight_families().size()]);
       const Sign expected = brute_power(w[0], w[1], w[2], w[3]);
       ASSERT_EQ(in_power_circle(w[0], w[1], w[2], w[3]), expected) << reproduce(w);
       ASSERT_EQ(in_power_circle(w[1], w[0], w[2], w[3]), -expected) << reproduce(w);
@@ -115,7 +93,7 @@ void expect_regular(const Weighted& points) {
 TEST(Regular2, NothingLiesBelow) {
   Random random(2);
   for (const auto& family : point_sets()) {
-    for (const WeightFamily& weight : weights) {
+    for (const WeightFamily& weight : testing::weight_families()) {
       for (const std::size_t count : {1, 2, 3, 4, 6, 9, 15, 30}) {
         if (tests_take_fewer_rounds && count > 6) continue;
         const Weighted points = weigh(random, family.make(random, count), weight);
@@ -165,7 +143,7 @@ TEST(Regular2, WithEqualWeightsIsDelaunay) {
 TEST(Regular2, OrderDoesNotMatter) {
   Random random(4);
   for (const auto& family : point_sets()) {
-    for (const WeightFamily& weight : weights) {
+    for (const WeightFamily& weight : testing::weight_families()) {
       Weighted points = weigh(random, family.make(random, test_rounds(30)), weight);
       SCOPED_TRACE(std::string(family.name) + ", " + weight.name + ": " + reproduce(points));
       const auto expected = triangles_of(Regular2(points));

@@ -96,9 +96,8 @@ Sign in_power_segment(const WeightedPoint2& a, const WeightedPoint2& b, const We
 }
 
 bool RegularPredicates2::in_conflict(const TriangleLinks2& t, const WeightedPoint2& d) const {
-  const auto infinite = static_cast<std::uint32_t>(points_.size() - 1);
   for (unsigned slot = 0; slot < 3; ++slot) {
-    if (t.corner[slot] != infinite) continue;
+    if (t.corner[slot] != infinite_) continue;
     const WeightedPoint2& from = points_[t.corner[next_slot(slot)]];
     const WeightedPoint2& to = points_[t.corner[previous_slot(slot)]];
     const Sign side = orientation(from.point, to.point, d.point);

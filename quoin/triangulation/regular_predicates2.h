@@ -28,13 +28,18 @@ Sign in_power_circle(const WeightedPoint2& a, const WeightedPoint2& b, const Wei
 Sign in_power_segment(const WeightedPoint2& a, const WeightedPoint2& b, const WeightedPoint2& d);
 
 /// What the insertion asks about weighted points, which may hide each other. Ties are decided by an infinitesimal lift,
-/// larger for lexicographically larger points. Points as in DelaunayPredicates2, the last (NaN, NaN); distinct.
+/// larger for lexicographically larger points. Of points at one place the heavier is below the lighter. The point of
+/// the infinite vertex is not looked at.
 class RegularPredicates2 {
  public:
   static constexpr bool may_hide = true;
   using Query = WeightedPoint2;
 
-  explicit RegularPredicates2(std::span<const WeightedPoint2> points) : points_(points) {}
+  /// `points` ends with the infinite one.
+  explicit RegularPredicates2(std::span<const WeightedPoint2> points)
+      : RegularPredicates2(points, Vertex2(points.size() - 1)) {}
+  RegularPredicates2(std::span<const WeightedPoint2> points, Vertex2 infinite)
+      : points_(points), infinite_(infinite.value) {}
 
   const WeightedPoint2& point(std::uint32_t v) const { return points_[v]; }
   Sign turn(std::uint32_t a, std::uint32_t b, const WeightedPoint2& p) const {
@@ -44,6 +49,7 @@ class RegularPredicates2 {
 
  private:
   std::span<const WeightedPoint2> points_;
+  std::uint32_t infinite_;
 };
 
 /// Whether the middle of three collinear points, distinct and in order, is a vertex of their regular triangulation.

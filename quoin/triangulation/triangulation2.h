@@ -50,6 +50,23 @@ using TriangleArray2 = UnsetVector<TriangleLinks2>;
 /// @throws InputError  for more than 2^29 vertices
 void require_edge_codes(std::size_t vertices);
 
+namespace detail {
+
+/// The last triangle takes a place in which there is none that others are linked with.
+inline void close_hole(TriangleArray2& triangles, std::uint32_t hole) {
+  const auto last = static_cast<std::uint32_t>(triangles.size() - 1);
+  if (hole != last) {
+    triangles[hole] = triangles[last];
+    for (unsigned slot = 0; slot < 3; ++slot) {
+      const std::uint32_t other = triangles[hole].across[slot];
+      triangles[other / 4].across[other % 4] = 4 * hole + slot;
+    }
+  }
+  triangles.pop_back();
+}
+
+}  // namespace detail
+
 /// The links of a triangulation of the plane, without coordinates: triangles 0 ... triangle_count() - 1, infinite ones
 /// among them. All members are O(1) unless they say otherwise.
 class Triangulation2 {

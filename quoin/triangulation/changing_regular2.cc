@@ -1,0 +1,444 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "quoin/triangulation/changing_regular2.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "quoin/base/error.h"
+#include "quoin/kernel/point_hash.h"
+#include "quoin/kernel/predicates2.h"
+#include "quoin/triangulation/changing_fill2.h"
+#include "quoin/triangulation/insertion_round.h"
+#include "quoin/triangulation/spatial_order2.h"
+
+namespace quoin {
+
+// A point and the triangle that holds it; none if the point is a vertex.
+struct ChangingRegular2::Holder {
+  std::uint32_t point;
+  std::uint32_t triangle;
+};
+
+namespace {
+
+using Insertion = detail::Insertion2<RegularPredicates2>;
+
+constexpr std::uint32_t infinite = detail::changing_infinite;
+constexpr std::uint32_t none = Vertex2::none_value;
+constexpr std::uint32_t on_line = 0;  // holds what is hidden in dimension 0 and 1
+constexpr std::size_t poll_step = 256;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+const Context& no_context() {
+  static const Context context({.threads = 1});
+  return context;
+}
+
+std::size_t hash_of(const WeightedPoint2& p) {
+  return hash_of(Point3{p.point.x, p.point.y, p.weight});
+}
+
+bool is_same(const WeightedPoint2& a, const WeightedPoint2& b) {
+  return a.point == b.point && a.weight == b.weight;
+}
+
+WeightedPoint2 without_negative_zeros(const WeightedPoint2& p) {
+  return {{p.point.x + 0.0, p.point.y + 0.0}, p.weight + 0.0};
+}
+
+bool is_corner(const TriangleLinks2& t, std::uint32_t v) {
+  return t.corner[0] == v || t.corner[1] == v || t.corner[2] == v;
+}
+
+// Inserts those of the points that are no vertices and not hidden, in rounds of growing size (Amenta, Choi and Rote
+// 2003).
+void reveal(Insertion& insertion, TriangleArray2& triangles, const RegularPredicates2& predicates,
+            const std::vector<std::uint32_t>& points, const Context& context) {
+  std::size_t tried = 0;
+  for (unsigned round = insertion_rounds; round-- > 0;) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (insertion_round(i) != round) continue;
+      if (tried++ % 64 == 0) context.poll();  // exact arithmetic of large spans takes long
+      const WeightedPoint2& p = predicates.point(points[i]);
+      const std::uint32_t at = insertion.find(p, detail::WholePlane());
+      insertion.begin_at(at);
+      if (is_corner(triangles[at], points[i]) || !predicates.in_conflict(triangles[at], p)) continue;
+      insertion.conflicts(at, p);
+      const auto count = static_cast<std::uint32_t>(triangles.size());
+      triangles.resize(triangles.size() + 2);
+      insertion.replace_conflicts(points[i], count);
+    }
+  }
+}
+
+// Where a triangle holds a vertex, the vertex is a corner.
+template <class Holder>
+std::vector<Holder> find_holders(Insertion& insertion, const TriangleArray2& triangles,
+                                 const RegularPredicates2& predicates, const std::vector<std::uint32_t>& points,
+                                 const Context& context) {
+  std::vector<Holder> holders;
+  holders.reserve(points.size());
+  for (const std::uint32_t v : points) {
+    if (holders.size() % poll_step == 0) context.poll();
+    const std::uint32_t at = insertion.find(predicates.point(v), detail::WholePlane());
+    insertion.begin_at(at);
+    holders.push_back({v, is_corner(triangles[at], v) ? none : at});
+  }
+  return holders;
+}
+
+// Corners of triangles that went which are no corners of the star in their places.
+void append_inner_vertices(std::span<const TriangleLinks2> replaced, std::span<const std::uint32_t> star,
+                           const TriangleArray2& triangles, std::vector<std::uint32_t>& vertices) {
+  if (replaced.size() + 2 == star.size()) return;
+  std::vector<std::uint32_t> left;
+  for (const std::uint32_t t : star) left.insert(left.end(), triangles[t].corner.begin(), triangles[t].corner.end());
+  std::sort(left.begin(), left.end());
+  std::vector<std::uint32_t> before;
+  for (const TriangleLinks2& t : replaced) before.insert(before.end(), t.corner.begin(), t.corner.end());
+  std::sort(before.begin(), before.end());
+  before.erase(std::unique(before.begin(), before.end()), before.end());
+  std::set_difference(before.begin(), before.end(), left.begin(), left.end(), std::back_inserter(vertices));
+}
+
+}  // namespace
+
+ChangingRegular2::ChangingRegular2() : points_({{nan, nan}, nan}) {
+  hidden_.reserve(1, 1);
+}
+
+ChangingRegular2::ChangingRegular2(std::span<const WeightedPoint2> points, const Context& context)
+    : ChangingRegular2() {
+  const Regular2 regular(points, context);
+  const std::size_t count = regular.vertex_count();
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vertex2 v = add(regular.point(Vertex2(i)));
+    for (std::size_t more = regular.inputs(Vertex2(i)).size(); more > 1; --more) points_.add_once_more(v);
+  }
+  std::vector<std::uint32_t> hidden;
+  for (const std::uint32_t input : regular.hidden()) {
+    const WeightedPoint2 p = without_negative_zeros(points[input]);
+    const Vertex2 known = find(p);
+    if (known.is_none()) {
+      hidden.push_back(add(p).value);
+    } else {
+      points_.add_once_more(known);
+    }
+  }
+  dimension_ = regular.dimension();
+  for (const Vertex2 v : regular.line()) line_.emplace_back(v.index() + 1);
+  if (dimension_ < 2) {
+    for (const std::uint32_t v : hidden) hidden_.put(v, on_line);
+    return;
+  }
+  const std::span<const TriangleLinks2> links = regular.links().links();
+  TriangleArray2 triangles(links.begin(), links.end());
+  for (TriangleLinks2& t : triangles) {
+    for (std::uint32_t& v : t.corner) v = v == count ? infinite : v + 1;
+  }
+  hidden_.reserve(0, triangles.size());
+  triangles_.assign(std::move(triangles));
+  const RegularPredicates2 predicates(points_.points(), infinite_vertex());
+  Insertion insertion(predicates, triangles_.array(), infinite);
+  hold(find_holders<Holder>(insertion, triangles_.array(), predicates, along_curve(hidden, context), context));
+}
+
+Vertex2 ChangingRegular2::find(const WeightedPoint2& given) const {
+  const WeightedPoint2 p = without_negative_zeros(given);
+  const auto is_it = [&](std::uint32_t id) { return is_same(point(Vertex2(std::size_t{id})), p); };
+  const std::uint32_t id = ids_.find(hash_of(p), is_it);
+  return id == none ? Vertex2() : Vertex2(std::size_t{id});
+}
+
+// All that is kept for each point has room before anything changes.
+Vertex2 ChangingRegular2::add(const WeightedPoint2& p) {
+  triangles_.reserve_vertices(id_count() + 1);
+  hidden_.reserve(id_count() + 1, 0);
+  ids_.reserve_one([this](std::uint32_t id) { return hash_of(point(Vertex2(std::size_t{id}))); });
+  const Vertex2 v = points_.add(p);
+  ids_.put(v.value, hash_of(p));
+  return v;
+}
+
+void ChangingRegular2::forget(Vertex2 v) {
+  ids_.take(v.value, [this](std::uint32_t id) { return hash_of(point(Vertex2(std::size_t{id}))); });
+  points_.remove(v);
+}
+
+Vertex2 ChangingRegular2::insert(const WeightedPoint2& p) {
+  return insert(p, no_context());
+}
+
+Vertex2 ChangingRegular2::insert(const WeightedPoint2& given, const Context& context) {
+  if (!std::isfinite(given.point.x) || !std::isfinite(given.point.y)) throw InputError("the point is not finite");
+  if (!std::isfinite(given.weight)) throw InputError("the weight is not finite");
+  const WeightedPoint2 p = without_negative_zeros(given);
+  const Vertex2 known = find(p);
+  if (!known.is_none()) {
+    points_.add_once_more(known);
+    return known;
+  }
+  require_edge_codes(id_count());
+  const Vertex2 v = add(p);
+  try {
+    if (dimension_ < 2) {
+      insert_on_line(v, context);
+    } else {
+      insert_in_plane(v, context);
+    }
+  } catch (...) {
+    forget(v);
+    throw;
+  }
+  return v;
+}
+
+void ChangingRegular2::insert_in_plane(Vertex2 v, const Context& context) {
+  context.poll();
+  const WeightedPoint2 p = point(v);
+  const RegularPredicates2 predicates(points_.points(), infinite_vertex());
+  TriangleArray2& triangles = triangles_.array();
+  Insertion insertion(predicates, triangles, infinite);
+  const Vertex2 near = points_.one_near(p.point, [&](Vertex2 other) { return other != v && !is_hidden(other); });
+  insertion.begin_at(near.is_none() ? 0 : edge_from(near).triangle().value);
+  const std::uint32_t at = insertion.find(p, detail::WholePlane());
+  if (!predicates.in_conflict(triangles[at], p)) {
+    hidden_.put(v.value, at);
+    return;
+  }
+  const std::span<const std::uint32_t> conflicts = insertion.conflicts(at, p);
+  detail::TriangleRollback before(triangles, conflicts);
+  std::vector<std::uint32_t> moved = held_by(conflicts);
+  const auto count = static_cast<std::uint32_t>(triangles.size());
+  triangles.resize(triangles.size() + 2);
+  hidden_.reserve(0, triangles.size());
+  insertion.replace_conflicts(v.value, count);
+  append_inner_vertices(before.replaced(), insertion.star(), triangles, moved);
+  const std::vector<Holder> holders = find_holders<Holder>(insertion, triangles, predicates, moved, context);
+
+  before.keep();
+  hold(holders);
+  for (const std::uint32_t t : insertion.star()) triangles_.update_edges(t);
+  drop(insertion.left_over());
+}
+
+void ChangingRegular2::insert_on_line(Vertex2 v, const Context& context) {
+  const WeightedPoint2& p = point(v);
+  if (line_.size() > 1 && orientation(place(line_.front()), place(line_.back()), p.point) != Sign::zero) {
+    const std::array<std::uint32_t, 1> all{on_line};
+    build_over_line(line_, v, held_by(all), context);
+    return;
+  }
+  const auto precedes = [&](Vertex2 u, const Point2& q) { return lexicographically_less(place(u), q); };
+  const auto seen = [&](Vertex2 a, Vertex2 b, Vertex2 c) { return is_seen_between(point(a), point(b), point(c)); };
+  // Vertices from `first` to before `last` will be hidden.
+  auto first = std::lower_bound(line_.cbegin(), line_.cend(), p.point, precedes);
+  auto last = first;
+  const bool is_at_vertex = first != line_.cend() && place(*first) == p.point;
+  const bool is_between = first != line_.cbegin() && first != line_.cend();
+  if (is_at_vertex ? p.weight < point(*first).weight : is_between && !seen(*(first - 1), v, *first)) {
+    hidden_.put(v.value, on_line);
+    return;
+  }
+  if (is_at_vertex) ++last;
+  while (first - line_.cbegin() > 1 && !seen(*(first - 2), *(first - 1), v)) --first;
+  while (line_.cend() - last > 1 && !seen(v, *last, *(last + 1))) ++last;
+  std::vector<Vertex2> line(line_.cbegin(), first);
+  line.push_back(v);
+  line.insert(line.end(), last, line_.cend());
+  std::for_each(first, last, [&](Vertex2 u) { hidden_.put(u.value, on_line); });
+  set_line(std::move(line));
+}
+
+void ChangingRegular2::set_line(std::vector<Vertex2> line) {
+  line_ = std::move(line);
+  dimension_ = std::min<int>(static_cast<int>(line_.size()), 2) - 1;
+}
+
+void ChangingRegular2::remove(Vertex2 v) {
+  remove(v, no_context());
+}
+
+void ChangingRegular2::remove(Vertex2 v, const Context& context) {
+  if (!lives(v)) throw InputError("there is no point " + std::to_string(v.value));
+  if (multiplicity(v) > 1) {
+    points_.remove_one_of_many(v);
+    return;
+  }
+  points_.reserve_for_removal();
+  if (is_hidden(v)) {
+    hidden_.take(v.value);
+  } else if (dimension_ < 2) {
+    remove_from_line(v, context);
+  } else {
+    remove_from_plane(v, context);
+  }
+  forget(v);
+}
+
+// Hidden points between the neighbours of the vertex at this place of the line, the heaviest of each place first.
+std::vector<Vertex2> ChangingRegular2::revealed_between(std::size_t at, const Context& context) const {
+  const bool is_first = at == 0;
+  const bool is_last = at + 1 == line_.size();
+  std::vector<Vertex2> between;
+  std::size_t visited = 0;
+  for (std::uint32_t id = hidden_.first(on_line); id != none; id = hidden_.next(id)) {
+    if (visited++ % poll_step == 0) context.poll();
+    const Vertex2 v(std::size_t{id});
+    const bool is_after = is_first || lexicographically_less(place(line_[at - 1]), place(v));
+    const bool is_before = is_last || lexicographically_less(place(v), place(line_[at + 1]));
+    if (is_after && is_before) between.push_back(v);
+  }
+  std::sort(between.begin(), between.end(), [&](Vertex2 a, Vertex2 b) {
+    return place(a) == place(b) ? point(a).weight > point(b).weight : lexicographically_less(place(a), place(b));
+  });
+  return between;
+}
+
+// The lower hull between the neighbours (Andrew 1979).
+void ChangingRegular2::remove_from_line(Vertex2 v, const Context& context) {
+  const auto precedes = [&](Vertex2 a, Vertex2 b) { return lexicographically_less(place(a), place(b)); };
+  const auto gone = std::lower_bound(line_.cbegin(), line_.cend(), v, precedes);
+  const auto at = static_cast<std::size_t>(gone - line_.cbegin());
+  std::vector<Vertex2> candidates = revealed_between(at, context);
+  const auto is_at_one_place = [&](Vertex2 a, Vertex2 b) { return place(a) == place(b); };
+  candidates.erase(std::unique(candidates.begin(), candidates.end(), is_at_one_place), candidates.end());
+  const std::size_t found = candidates.size();
+  if (gone + 1 != line_.cend()) candidates.push_back(*(gone + 1));
+  std::vector<Vertex2> line(line_.cbegin(), gone);
+  const std::size_t stays = std::max<std::size_t>(at, 1);
+  for (const Vertex2 next : candidates) {
+    while (line.size() > stays && !is_seen_between(point(line[line.size() - 2]), point(line.back()), point(next))) {
+      line.pop_back();
+    }
+    line.push_back(next);
+  }
+  const std::size_t revealed_end = line.size() - (candidates.size() - found);
+  if (gone + 1 != line_.cend()) line.insert(line.end(), gone + 2, line_.cend());
+  for (std::size_t i = at; i < revealed_end; ++i) hidden_.take(line[i].value);
+  set_line(std::move(line));
+}
+
+void ChangingRegular2::remove_from_plane(Vertex2 v, const Context& context) {
+  context.poll();
+  detail::VertexStar2 star = triangles_.star(v);
+  const std::vector<std::uint32_t> held = held_by(star.triangles);
+  if (detail::is_apex_of_line(star, vertex_count(), points_.points(), context)) {
+    remove_apex(star, held, context);
+  } else {
+    refill(std::move(star), held, context);
+  }
+}
+
+// All other vertices lie on a line; what is hidden may not, and is in the triangles of this one.
+void ChangingRegular2::remove_apex(const detail::VertexStar2& star, const std::vector<std::uint32_t>& held,
+                                   const Context& context) {
+  std::vector<Vertex2> line;
+  for (const std::uint32_t corner : star.corners) {
+    if (corner != infinite) line.emplace_back(std::size_t{corner});
+  }
+  std::sort(line.begin(), line.end(), [&](Vertex2 a, Vertex2 b) { return lexicographically_less(place(a), place(b)); });
+  const auto is_off_line = [&](std::uint32_t id) {
+    return orientation(place(line.front()), place(line.back()), place(Vertex2(std::size_t{id}))) != Sign::zero;
+  };
+  const auto apex = std::find_if(held.begin(), held.end(), is_off_line);
+  if (apex != held.end()) {
+    build_over_line(line, Vertex2(std::size_t{*apex}), held, context);
+    return;
+  }
+  for (const std::uint32_t id : held) {
+    hidden_.take(id);
+    hidden_.put(id, on_line);
+  }
+  triangles_.assign({});
+  set_line(std::move(line));
+}
+
+// What is revealed lies in the filled star, as all other triangles are still without points below them.
+void ChangingRegular2::refill(detail::VertexStar2 star, const std::vector<std::uint32_t>& held,
+                              const Context& context) {
+  const RegularPredicates2 predicates(points_.points(), infinite_vertex());
+  TriangleArray2& triangles = triangles_.array();
+  const std::vector<std::uint32_t> points = along_curve(held, context);
+  const std::size_t count = triangles.size();
+  detail::TriangleRollback before(triangles, star.triangles);
+  const std::size_t made = detail::fill_star(predicates, triangles, star, context);
+  Insertion insertion(predicates, triangles, infinite);
+  insertion.begin_at(star.triangles[0]);
+  reveal(insertion, triangles, predicates, points, context);
+  const std::vector<Holder> holders = find_holders<Holder>(insertion, triangles, predicates, points, context);
+  std::vector<std::uint32_t>& holes = insertion.left_over();
+  holes.insert(holes.end(), star.triangles.begin() + static_cast<std::ptrdiff_t>(made), star.triangles.end());
+  hidden_.reserve(0, triangles.size());
+
+  before.keep();
+  hold(holders);
+  const auto update = [&](std::uint32_t t) {
+    if (!insertion.is_left_over(t)) triangles_.update_edges(t);
+  };
+  for (std::size_t i = 0; i < made; ++i) update(star.triangles[i]);
+  for (std::size_t t = count; t < triangles.size(); ++t) update(static_cast<std::uint32_t>(t));
+  drop(holes);
+}
+
+void ChangingRegular2::build_over_line(std::span<const Vertex2> line, Vertex2 apex,
+                                       const std::vector<std::uint32_t>& held, const Context& context) {
+  const RegularPredicates2 predicates(points_.points(), infinite_vertex());
+  const std::vector<std::uint32_t> points = along_curve(held, context);
+  TriangleArray2 triangles = detail::triangles_over_line(predicates, line, apex, context);
+  Insertion insertion(predicates, triangles, infinite);
+  reveal(insertion, triangles, predicates, points, context);
+  std::vector<std::uint32_t>& holes = insertion.left_over();
+  std::sort(holes.begin(), holes.end(), std::greater<>());
+  for (const std::uint32_t hole : holes) detail::close_hole(triangles, hole);
+  insertion.begin_at(0);
+  const std::vector<Holder> holders = find_holders<Holder>(insertion, triangles, predicates, points, context);
+  hidden_.reserve(0, triangles.size());
+
+  hold(holders);
+  triangles_.assign(std::move(triangles));
+  line_.clear();
+  dimension_ = 2;
+}
+
+std::vector<std::uint32_t> ChangingRegular2::held_by(std::span<const std::uint32_t> triangles) const {
+  std::vector<std::uint32_t> points;
+  for (const std::uint32_t t : triangles) {
+    for (std::uint32_t id = hidden_.first(t); id != none; id = hidden_.next(id)) points.push_back(id);
+  }
+  return points;
+}
+
+std::vector<std::uint32_t> ChangingRegular2::along_curve(const std::vector<std::uint32_t>& ids,
+                                                         const Context& context) const {
+  std::vector<Point2> places;
+  places.reserve(ids.size());
+  for (const std::uint32_t id : ids) places.push_back(place(Vertex2(std::size_t{id})));
+  std::vector<std::uint32_t> sorted;
+  sorted.reserve(ids.size());
+  for (const std::uint32_t i : spatial_order(places, context).inputs) sorted.push_back(ids[i]);
+  return sorted;
+}
+
+// Takes no memory.
+void ChangingRegular2::hold(std::span<const Holder> holders) {
+  for (const Holder& h : holders) {
+    if (is_hidden(Vertex2(std::size_t{h.point}))) hidden_.take(h.point);
+    if (h.triangle != none) hidden_.put(h.point, h.triangle);
+  }
+}
+
+// Takes no memory.
+void ChangingRegular2::drop(std::span<std::uint32_t> holes) {
+  std::sort(holes.begin(), holes.end(), std::greater<>());
+  for (const std::uint32_t hole : holes) {
+    hidden_.move(static_cast<std::uint32_t>(triangles().size() - 1), hole);
+    triangles_.drop(hole);
+  }
+}
+
+}  // namespace quoin
