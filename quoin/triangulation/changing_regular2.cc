@@ -38,6 +38,21 @@ const Context& no_context() {
   return context;
 }
 
+// The whole plane, with a poll now and then: many triangles may be in conflict.
+class PolledPlane {
+ public:
+  explicit PolledPlane(const Context& context) : context_(context) {}
+  bool allows(std::uint32_t /*v*/) {
+    if (++asked_ % poll_step == 0) context_.poll();
+    return true;
+  }
+  static constexpr bool owns(const std::array<std::uint32_t, 3>& /*triangle*/) { return true; }
+
+ private:
+  const Context& context_;
+  std::size_t asked_ = 0;
+};
+
 std::size_t hash_of(const WeightedPoint2& p) {
   return hash_of(Point3{p.point.x, p.point.y, p.weight});
 }
@@ -67,7 +82,7 @@ void reveal(Insertion& insertion, TriangleArray2& triangles, const RegularPredic
       const std::uint32_t at = insertion.find(p, detail::WholePlane());
       insertion.begin_at(at);
       if (is_corner(triangles[at], points[i]) || !predicates.in_conflict(triangles[at], p)) continue;
-      insertion.conflicts(at, p);
+      insertion.conflicts(at, p, PolledPlane(context));
       const auto count = static_cast<std::uint32_t>(triangles.size());
       triangles.resize(triangles.size() + 2);
       insertion.replace_conflicts(points[i], count);
@@ -89,20 +104,6 @@ std::vector<Holder> find_holders(Insertion& insertion, const TriangleArray2& tri
     holders.push_back({v, is_corner(triangles[at], v) ? none : at});
   }
   return holders;
-}
-
-// Corners of triangles that went which are no corners of the star in their places.
-void append_inner_vertices(std::span<const TriangleLinks2> replaced, std::span<const std::uint32_t> star,
-                           const TriangleArray2& triangles, std::vector<std::uint32_t>& vertices) {
-  if (replaced.size() + 2 == star.size()) return;
-  std::vector<std::uint32_t> left;
-  for (const std::uint32_t t : star) left.insert(left.end(), triangles[t].corner.begin(), triangles[t].corner.end());
-  std::sort(left.begin(), left.end());
-  std::vector<std::uint32_t> before;
-  for (const TriangleLinks2& t : replaced) before.insert(before.end(), t.corner.begin(), t.corner.end());
-  std::sort(before.begin(), before.end());
-  before.erase(std::unique(before.begin(), before.end()), before.end());
-  std::set_difference(before.begin(), before.end(), left.begin(), left.end(), std::back_inserter(vertices));
 }
 
 }  // namespace
@@ -210,14 +211,15 @@ void ChangingRegular2::insert_in_plane(Vertex2 v, const Context& context) {
     hidden_.put(v.value, at);
     return;
   }
-  const std::span<const std::uint32_t> conflicts = insertion.conflicts(at, p);
+  const std::span<const std::uint32_t> conflicts = insertion.conflicts(at, p, PolledPlane(context));
   detail::TriangleRollback before(triangles, conflicts);
-  std::vector<std::uint32_t> moved = held_by(conflicts);
+  std::vector<std::uint32_t> moved = held_by(conflicts, context);
   const auto count = static_cast<std::uint32_t>(triangles.size());
   triangles.resize(triangles.size() + 2);
   hidden_.reserve(0, triangles.size());
   insertion.replace_conflicts(v.value, count);
-  append_inner_vertices(before.replaced(), insertion.star(), triangles, moved);
+  const std::vector<std::uint32_t> now_hidden = inside(before, insertion.star(), context);
+  moved.insert(moved.end(), now_hidden.begin(), now_hidden.end());
   const std::vector<Holder> holders = find_holders<Holder>(insertion, triangles, predicates, moved, context);
 
   before.keep();
@@ -230,7 +232,7 @@ void ChangingRegular2::insert_on_line(Vertex2 v, const Context& context) {
   const WeightedPoint2& p = point(v);
   if (line_.size() > 1 && orientation(place(line_.front()), place(line_.back()), p.point) != Sign::zero) {
     const std::array<std::uint32_t, 1> all{on_line};
-    build_over_line(line_, v, held_by(all), context);
+    build_over_line(line_, v, held_by(all, context), context);
     return;
   }
   const auto precedes = [&](Vertex2 u, const Point2& q) { return lexicographically_less(place(u), q); };
@@ -326,7 +328,7 @@ void ChangingRegular2::remove_from_line(Vertex2 v, const Context& context) {
 void ChangingRegular2::remove_from_plane(Vertex2 v, const Context& context) {
   context.poll();
   detail::VertexStar2 star = triangles_.star(v);
-  const std::vector<std::uint32_t> held = held_by(star.triangles);
+  const std::vector<std::uint32_t> held = held_by(star.triangles, context);
   if (detail::is_apex_of_line(star, vertex_count(), points_.points(), context)) {
     remove_apex(star, held, context);
   } else {
@@ -405,12 +407,37 @@ void ChangingRegular2::build_over_line(std::span<const Vertex2> line, Vertex2 ap
   dimension_ = 2;
 }
 
-std::vector<std::uint32_t> ChangingRegular2::held_by(std::span<const std::uint32_t> triangles) const {
+std::vector<std::uint32_t> ChangingRegular2::held_by(std::span<const std::uint32_t> triangles,
+                                                     const Context& context) const {
   std::vector<std::uint32_t> points;
+  std::size_t visited = 0;
   for (const std::uint32_t t : triangles) {
-    for (std::uint32_t id = hidden_.first(t); id != none; id = hidden_.next(id)) points.push_back(id);
+    if (visited++ % poll_step == 0) context.poll();
+    for (std::uint32_t id = hidden_.first(t); id != none; id = hidden_.next(id)) {
+      if (visited++ % poll_step == 0) context.poll();
+      points.push_back(id);
+    }
   }
   return points;
+}
+
+// Vertices inside of what a star has replaced; they have their edges there.
+std::vector<std::uint32_t> ChangingRegular2::inside(const detail::TriangleRollback& before,
+                                                    std::span<const std::uint32_t> star, const Context& context) const {
+  std::vector<std::uint32_t> vertices;
+  if (before.ids().size() + 2 == star.size()) return vertices;
+  std::vector<std::uint32_t> rim;
+  for (const std::uint32_t t : star) rim.insert(rim.end(), triangles()[t].corner.begin(), triangles()[t].corner.end());
+  std::sort(rim.begin(), rim.end());
+  for (std::size_t i = 0; i < before.ids().size(); ++i) {
+    if (i % poll_step == 0) context.poll();
+    for (unsigned slot = 0; slot < 3; ++slot) {
+      const std::uint32_t v = before.links()[i].corner[slot];
+      if (edge_from(Vertex2(std::size_t{v})).code != 4 * before.ids()[i] + previous_slot(slot)) continue;
+      if (!std::binary_search(rim.begin(), rim.end(), v)) vertices.push_back(v);
+    }
+  }
+  return vertices;
 }
 
 std::vector<std::uint32_t> ChangingRegular2::along_curve(const std::vector<std::uint32_t>& ids,

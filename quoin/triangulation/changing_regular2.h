@@ -82,7 +82,9 @@ class ChangingRegular2 {
   void refill(detail::VertexStar2 star, const std::vector<std::uint32_t>& held, const Context& context);
   void build_over_line(std::span<const Vertex2> line, Vertex2 apex, const std::vector<std::uint32_t>& held,
                        const Context& context);
-  std::vector<std::uint32_t> held_by(std::span<const std::uint32_t> triangles) const;
+  std::vector<std::uint32_t> held_by(std::span<const std::uint32_t> triangles, const Context& context) const;
+  std::vector<std::uint32_t> inside(const detail::TriangleRollback& before, std::span<const std::uint32_t> star,
+                                    const Context& context) const;
   std::vector<std::uint32_t> along_curve(const std::vector<std::uint32_t>& ids, const Context& context) const;
   std::vector<Vertex2> revealed_between(std::size_t at, const Context& context) const;
   void hold(std::span<const Holder> holders);

@@ -52,8 +52,9 @@ class TriangleRollback {
   TriangleRollback& operator=(const TriangleRollback&) = delete;
 
   void keep() { is_kept_ = true; }
-  /// As they were.
-  std::span<const TriangleLinks2> replaced() const { return links_; }
+  /// Those that are replaced, and as they were.
+  std::span<const std::uint32_t> ids() const { return ids_; }
+  std::span<const TriangleLinks2> links() const { return links_; }
 
  private:
   TriangleArray2& triangles_;

@@ -86,9 +86,10 @@ class Insertion2 {
 
   /// The same in two steps where points may hide, for those who want to know what goes. First the triangles in conflict
   /// with a query, of which one is known; nothing has changed yet, nor has it after an exception.
-  std::span<const std::uint32_t> conflicts(std::uint32_t first, const Query& p) {
+  template <class Region>
+  std::span<const std::uint32_t> conflicts(std::uint32_t first, const Query& p, Region region) {
     try {
-      find_conflicts(first, p, WholePlane());
+      find_conflicts(first, p, region);
     } catch (...) {
       give_back();
       throw;
