@@ -23,7 +23,7 @@ namespace quoin {
 /// heaviest counts and hides the others. Each point has an id while it lives, as a vertex or hidden, which is used
 /// again after; points of the same place and weight have one. The infinite vertex is 0. Triangles are numbered without
 /// gaps, anew with each change. A change that ends with an exception, for want of memory too, leaves points and
-/// triangles as they were.
+/// triangles as they were. One that was moved from may be destroyed or assigned to, and no more.
 class ChangingRegular2 {
  public:
   ChangingRegular2();
@@ -71,6 +71,7 @@ class ChangingRegular2 {
 
  private:
   struct Holder;
+  static constexpr std::uint32_t on_line = 0;  ///< holds what is hidden in dimension 0 and 1
 
   Vertex2 add(const WeightedPoint2& p);
   void forget(Vertex2 v);
@@ -95,7 +96,7 @@ class ChangingRegular2 {
   detail::ChangingPoints2<WeightedPoint2> points_;
   IdTable ids_;
   detail::ChangingTriangles2 triangles_;
-  HiddenLists hidden_;  ///< in dimension 0 and 1 all are held by 0
+  HiddenLists hidden_;
   std::vector<Vertex2> line_;
   int dimension_ = -1;
 };
