@@ -56,6 +56,10 @@ std::size_t hash_of(const WeightedPoint2& p) {
   return hash_of(Point3{p.point.x, p.point.y, p.weight});
 }
 
+auto hash_of_id(const ChangingRegular2& changing) {
+  return [&changing](std::uint32_t id) { return hash_of(changing.point(Vertex2(std::size_t{id}))); };
+}
+
 bool is_same(const WeightedPoint2& a, const WeightedPoint2& b) {
   return a.point == b.point && a.weight == b.weight;
 }
@@ -158,14 +162,14 @@ Vertex2 ChangingRegular2::find(const WeightedPoint2& given) const {
 Vertex2 ChangingRegular2::add(const WeightedPoint2& p) {
   triangles_.reserve_vertices(id_count() + 1);
   hidden_.reserve(id_count() + 1, 0);
-  ids_.reserve_one([this](std::uint32_t id) { return hash_of(point(Vertex2(std::size_t{id}))); });
+  ids_.reserve_one(hash_of_id(*this));
   const Vertex2 v = points_.add(p);
   ids_.put(v.value, hash_of(p));
   return v;
 }
 
 void ChangingRegular2::forget(Vertex2 v) {
-  ids_.take(v.value, [this](std::uint32_t id) { return hash_of(point(Vertex2(std::size_t{id}))); });
+  ids_.take(v.value, hash_of_id(*this));
   points_.remove(v);
 }
 
