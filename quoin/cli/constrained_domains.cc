@@ -15,6 +15,8 @@ namespace {
 
 constexpr std::uint32_t none = 0xFFFFFFFFU;
 constexpr std::size_t poll_step = 1024;
+constexpr double crossing_size = 1.5;
+constexpr Color crossing_color{214, 96, 64, 255};
 
 double displacement(const Rational& exact, double rounded) {
   return Interval::around(abs(exact - Rational(rounded))).upper();
@@ -158,14 +160,16 @@ Mesh ConstrainedDomains::mesh() const {
 
 PlanarPicture ConstrainedDomains::picture(bool has_labels) const {
   PlanarPicture picture;
-  picture.categories = {"Inside", "Between domains inside", "Crossings"};
   add_faces(picture);
   add_edges(picture);
   for (std::size_t i = 0; i < vertices_.size(); ++i) {
     const bool is_crossing = is_constructed(vertices_[i]);
     PicturePoint point{.at = triangulation_.rounded(vertices_[i]), .text = {.name = "Point " + std::to_string(i)}};
-    if (is_crossing) point.fill.category = 2;
-    if (is_crossing) point.text.facts.emplace_back("Constructed", "yes");
+    if (is_crossing) {
+      point.size = crossing_size;
+      point.fill.color = crossing_color;
+      point.text.facts.emplace_back("Constructed", "yes");
+    }
     if (has_labels) point.text.label = std::to_string(i);
     picture.points.push_back(std::move(point));
   }
@@ -183,6 +187,11 @@ void ConstrainedDomains::add_faces(PlanarPicture& picture) const {
     if (place.depth > 0) face.fill.category = place.depth % 2 == 1 ? 0 : 1;
     picture.faces.push_back(std::move(face));
   }
+  const auto has = [&picture](std::uint32_t category) {
+    return std::ranges::any_of(picture.faces, [&](const PictureFace& face) { return face.fill.category == category; });
+  };
+  if (has(0)) picture.categories = {"Inside"};
+  if (has(1)) picture.categories.emplace_back("Between domains inside");
 }
 
 void ConstrainedDomains::add_edges(PlanarPicture& picture) const {
