@@ -38,9 +38,10 @@ struct Task {
   }
 };
 
-/// `insert(triangulation, i)` inserts one of the points.
-template <class Triangulation, class Insert>
-void run(const Task& task, Triangulation& changing, double build, long before, const Insert& insert_one) {
+/// `insert_one(i)` inserts one of the points. Hidden ones neither go nor come.
+template <class Triangulation, class Insert, class IsHidden>
+void run(const Task& task, Triangulation& changing, double build, long before, const Insert& insert_one,
+         const IsHidden& is_hidden) {
   const std::size_t cells = changing.cells().size();
   // Ids by an insertion once more, which is taken back.
   std::vector<std::uint32_t> vertices;
@@ -50,14 +51,21 @@ void run(const Task& task, Triangulation& changing, double build, long before, c
   for (const std::uint32_t v : vertices) {
     while (changing.multiplicity(v) > 1) changing.remove(v);
   }
+  std::vector<std::size_t> shown;
+  std::vector<std::uint32_t> goers;
+  for (std::size_t k = 0; k < vertices.size(); ++k) {
+    if (is_hidden(vertices[k])) continue;
+    shown.push_back(task.order[k]);
+    goers.push_back(vertices[k]);
+  }
   start = std::clock();
-  for (const std::uint32_t v : vertices) {
+  for (const std::uint32_t v : goers) {
     if (changing.lives(v)) changing.remove(v);
   }
-  const double remove = since(start, task.order.size());
+  const double remove = since(start, goers.size());
   start = std::clock();
-  for (const std::size_t i : task.order) insert_one(i);
-  const double insert = since(start, task.order.size());
+  for (const std::size_t i : shown) insert_one(i);
+  const double insert = since(start, shown.size());
   if (changing.cells().size() != cells) throw std::logic_error("other cells than before");
   std::printf(
       "{\"points\": %zu, \"cells\": %zu, \"build\": %.2f, \"find\": %.2f, \"remove\": %.2f, \"insert\": %.2f, "
@@ -70,7 +78,8 @@ void run_delaunay(const Task& task) {
   const std::clock_t start = std::clock();
   quoin::ChangingDelaunay3 changing(task.points, quoin::Context({.threads = 1}));
   const double build = since(start, task.points.size());
-  run(task, changing, build, before, [&](std::size_t i) { return changing.insert(task.points[i]); });
+  const auto insert = [&](std::size_t i) { return changing.insert(task.points[i]); };
+  run(task, changing, build, before, insert, [](std::uint32_t) { return false; });
 }
 
 void run_regular(const Task& task) {
@@ -79,7 +88,8 @@ void run_regular(const Task& task) {
   quoin::ChangingRegular3 changing(task.points, task.weights, quoin::Context({.threads = 1}));
   const double build = since(start, task.points.size());
   std::fprintf(stderr, "%zu hidden\n", changing.hidden_count());
-  run(task, changing, build, before, [&](std::size_t i) { return changing.insert(task.points[i], task.weights[i]); });
+  const auto insert = [&](std::size_t i) { return changing.insert(task.points[i], task.weights[i]); };
+  run(task, changing, build, before, insert, [&](std::uint32_t v) { return changing.is_hidden(v); });
 }
 
 }  // namespace

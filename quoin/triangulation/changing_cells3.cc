@@ -191,7 +191,7 @@ void ChangingCells3<Signs>::insert(const Signs& signs, std::uint32_t v, std::uin
   }
   state.find_conflicts(v, found, context);
   state.engine.fill(v, [&state](std::uint32_t w) { state.hidden.put_loose(w); });
-  if constexpr (Signs::may_hide) {
+  if (state.hidden.count() > 0) {
     for (const std::uint32_t c : state.engine.conflicts()) state.hidden.loosen(c);
   }
   for (const std::uint32_t c : state.engine.new_cells()) state.update_star(c);
@@ -207,7 +207,7 @@ bool ChangingCells3<Signs>::remove(const Signs& signs, std::uint32_t v, const Co
   state.signs = signs;
   if (!state.filling.find(state.cells, state.hidden, v, state.star[v], context)) return false;
   state.find_places();
-  if constexpr (Signs::may_hide) {
+  if (state.hidden.count() > 0) {
     for (const std::uint32_t w : state.filling.shown()) state.hidden.take(w);
     for (const std::uint32_t c : state.filling.star()) state.hidden.loosen(c);
   }

@@ -28,7 +28,7 @@ bool StarFilling3<Signs>::find(const CellArray& cells, const HiddenLists& hidden
                                const Context& context) {
   find_star(cells, 4, v, first, star_, &context);
   find_link_vertices(cells, 4, v, star_, points_);
-  if constexpr (Signs::may_hide) add_hidden(hidden, context);
+  if (hidden.count() > 0) add_hidden(hidden, context);
   if (!choose_simplex(cells, v, context)) return false;
   read_hole(cells, v);
   triangulate(context);
