@@ -2,7 +2,6 @@
 #include "quoin/flow/flow_graph.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 #include "quoin/base/disjoint_sets.h"
