@@ -148,7 +148,7 @@ struct Changes {
 TEST(ChangingRegular2, IsRegularAfterEachChange) {
   Random random(1);
   for (const auto& family : point_sets()) {
-    for (const auto& weight : testing::weight_families()) {
+    for (const auto& weight : testing::plane_weight_families()) {
       for (int round = 0; round < test_rounds(3); ++round) {
         SCOPED_TRACE(std::string(family.name) + ", " + weight.name);
         Weighted pool = testing::weigh(random, family.make(random, 14), weight);
@@ -168,7 +168,7 @@ TEST(ChangingRegular2, IsRegularAfterEachChange) {
 TEST(ChangingRegular2, HalfOfManyPoints) {
   Random random(2);
   for (const auto& family : point_sets()) {
-    for (const auto& weight : testing::weight_families()) {
+    for (const auto& weight : testing::plane_weight_families()) {
       const Weighted points = testing::weigh(random, family.make(random, test_rounds(200)), weight);
       const auto middle = points.begin() + static_cast<std::ptrdiff_t>(points.size() / 2);
       SCOPED_TRACE(std::string(family.name) + ", " + weight.name + ": " + reproduce(points));
@@ -218,7 +218,8 @@ TEST(ChangingRegular2, AllOrdersOfFewPoints) {
 TEST(ChangingRegular2, AHeavyPointHidesManyUntilItGoes) {
   Random random(4);
   for (const auto& family : point_sets()) {
-    Weighted points = testing::weigh(random, family.make(random, test_rounds(300)), testing::weight_families()[0]);
+    Weighted points =
+        testing::weigh(random, family.make(random, test_rounds(300)), testing::plane_weight_families()[0]);
     SCOPED_TRACE(family.name);
     ChangingRegular2 changing(points);
     const std::size_t hidden = changing.hidden_count();
@@ -313,7 +314,7 @@ void change_with_failures(const ChangingRegular2& changing, const Weighted& befo
 
 TEST(ChangingRegular2, IsAsItWasWhereMemoryFails) {
   Random random(5);
-  const auto& weights = testing::weight_families();
+  const auto& weights = testing::plane_weight_families();
   for (const auto& family : point_sets()) {
     for (std::size_t w = 0; w < 2; ++w) {
       SCOPED_TRACE(std::string(family.name) + ", " + weights[w].name);
@@ -404,7 +405,7 @@ TEST(ChangingRegular2, BadInputIsRefused) {
 TEST(ChangingRegular2, IdsStayWhilePointsLive) {
   Random random(6);
   const Weighted points =
-      testing::weigh(random, testing::point_sets()[1].make(random, 200), testing::weight_families()[0]);
+      testing::weigh(random, testing::point_sets()[1].make(random, 200), testing::plane_weight_families()[0]);
   ChangingRegular2 changing(points);
   const ChangingRegular2 before = changing;
   std::vector<Vertex2> ids;

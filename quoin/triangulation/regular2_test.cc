@@ -15,12 +15,12 @@
 namespace quoin {
 namespace {
 
+using testing::PlaneWeightFamily;
 using testing::point_sets;
 using testing::Random;
 using testing::reproduce;
 using testing::weigh;
 using testing::Weighted;
-using testing::WeightFamily;
 
 Sign brute_power(const WeightedPoint2& a, const WeightedPoint2& b, const WeightedPoint2& c, const WeightedPoint2& d) {
   testing::Matrix m;
@@ -37,8 +37,8 @@ TEST(Regular2, PowerCirclesAreDeterminants) {
   for (const testing::Family& family : testing::families()) {
     for (int round = 0; round < test_rounds(300); ++round) {
       const auto p = testing::near_degenerate<Point2, 4>(random, family);
-      const Weighted w =
-          weigh(random, {p.begin(), p.end()}, testing::weight_families()[random() % testing::weight_families().size()]);
+      const Weighted w = weigh(random, {p.begin(), p.end()},
+                               testing::plane_weight_families()[random() % testing::plane_weight_families().size()]);
       const Sign expected = brute_power(w[0], w[1], w[2], w[3]);
       ASSERT_EQ(in_power_circle(w[0], w[1], w[2], w[3]), expected) << reproduce(w);
       ASSERT_EQ(in_power_circle(w[1], w[0], w[2], w[3]), -expected) << reproduce(w);
@@ -93,7 +93,7 @@ void expect_regular(const Weighted& points) {
 TEST(Regular2, NothingLiesBelow) {
   Random random(2);
   for (const auto& family : point_sets()) {
-    for (const WeightFamily& weight : testing::weight_families()) {
+    for (const PlaneWeightFamily& weight : testing::plane_weight_families()) {
       for (const std::size_t count : {1, 2, 3, 4, 6, 9, 15, 30}) {
         if (tests_take_fewer_rounds && count > 6) continue;
         const Weighted points = weigh(random, family.make(random, count), weight);
@@ -143,7 +143,7 @@ TEST(Regular2, WithEqualWeightsIsDelaunay) {
 TEST(Regular2, OrderDoesNotMatter) {
   Random random(4);
   for (const auto& family : point_sets()) {
-    for (const WeightFamily& weight : testing::weight_families()) {
+    for (const PlaneWeightFamily& weight : testing::plane_weight_families()) {
       Weighted points = weigh(random, family.make(random, test_rounds(30)), weight);
       SCOPED_TRACE(std::string(family.name) + ", " + weight.name + ": " + reproduce(points));
       const auto expected = triangles_of(Regular2(points));

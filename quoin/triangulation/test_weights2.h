@@ -21,13 +21,13 @@ inline std::string reproduce(const Weighted& points) {
   return out.str();
 }
 
-struct WeightFamily {
+struct PlaneWeightFamily {
   const char* name;
   double (*weight)(Random&);
 };
 
-inline const std::vector<WeightFamily>& weight_families() {
-  static const std::vector<WeightFamily> all{
+inline const std::vector<PlaneWeightFamily>& plane_weight_families() {
+  static const std::vector<PlaneWeightFamily> all{
       {"small integers", [](Random& r) { return small_integer(r, 3); }},
       {"a few large ones", [](Random& r) { return r() % 8 == 0 ? 50.0 * unit(r) : 0.0; }},
       {"fractions", [](Random& r) { return 0.1 * unit(r); }},
@@ -36,7 +36,7 @@ inline const std::vector<WeightFamily>& weight_families() {
   return all;
 }
 
-inline Weighted weigh(Random& random, const std::vector<Point2>& points, const WeightFamily& family) {
+inline Weighted weigh(Random& random, const std::vector<Point2>& points, const PlaneWeightFamily& family) {
   Weighted result;
   for (const Point2& p : points) result.push_back({p, family.weight(random)});
   return result;
