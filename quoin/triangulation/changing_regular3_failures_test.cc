@@ -16,7 +16,7 @@ using testing::Cloud;
 using testing::expect_same;
 using testing::Random;
 using testing::reproduce;
-using testing::WeightFamily;
+using testing::SiteWeightFamily;
 using Present = testing::PresentSites<WeightedPoint3>;
 
 const Context context({.threads = 1});
@@ -27,7 +27,7 @@ void for_each_change(std::size_t size, const Change& change) {
   Random random(7);
   std::size_t next = 0;
   for (const Cloud& cloud : testing::clouds(random, size)) {
-    const WeightFamily& family = testing::weight_families()[next++ % testing::weight_families().size()];
+    const SiteWeightFamily& family = testing::site_weight_families()[next++ % testing::site_weight_families().size()];
     ChangingRegular3 changing;
     Present present;
     const int steps = static_cast<int>(2 * size);

@@ -21,7 +21,7 @@ using testing::Cloud;
 using testing::expect_same;
 using testing::Random;
 using testing::reproduce;
-using testing::WeightFamily;
+using testing::SiteWeightFamily;
 using Present = testing::PresentSites<WeightedPoint3>;
 
 const Context context({.threads = 1});
@@ -33,7 +33,7 @@ ChangingRegular3 triangulated(const std::vector<WeightedPoint3>& sites) {
 TEST(ChangingRegular3, IsRegularAfterEachChange) {
   Random random(1);
   for (int round = 0; round < test_rounds(2); ++round) {
-    for (const WeightFamily& family : testing::weight_families()) {
+    for (const SiteWeightFamily& family : testing::site_weight_families()) {
       for (const Cloud& cloud : testing::clouds(random, 14)) {
         ChangingRegular3 changing;
         Present present;
@@ -62,7 +62,7 @@ TEST(ChangingRegular3, IsRegularAfterEachChange) {
 
 TEST(ChangingRegular3, HalfOfManyPoints) {
   Random random(2);
-  for (const WeightFamily& family : testing::weight_families()) {
+  for (const SiteWeightFamily& family : testing::site_weight_families()) {
     for (const Cloud& cloud : testing::clouds(random, test_rounds(16U))) {
       SCOPED_TRACE(cloud.name + ", " + family.name);
       std::vector<WeightedPoint3> sites = testing::weighted(cloud.points, family, random);
@@ -180,7 +180,7 @@ TEST(ChangingRegular3, EachOrderOfFewPoints) {
 
 TEST(ChangingRegular3, InsertionAndRemovalRestore) {
   Random random(4);
-  for (const WeightFamily& family : testing::weight_families()) {
+  for (const SiteWeightFamily& family : testing::site_weight_families()) {
     for (const Cloud& cloud : testing::clouds(random, 24)) {
       SCOPED_TRACE(cloud.name + ", " + family.name);
       const std::vector<WeightedPoint3> sites = testing::weighted(cloud.points, family, random);
@@ -332,7 +332,7 @@ TEST(ChangingRegular3, LargeStars) {
 
 TEST(ChangingRegular3, StarsNeighboursAndPlacesAreThoseOfTheCells) {
   Random random(9);
-  for (const WeightFamily& family : testing::weight_families()) {
+  for (const SiteWeightFamily& family : testing::site_weight_families()) {
     for (const Cloud& cloud : testing::clouds(random, 24)) {
       SCOPED_TRACE(cloud.name + ", " + family.name);
       const ChangingRegular3 changing = triangulated(testing::weighted(cloud.points, family, random));

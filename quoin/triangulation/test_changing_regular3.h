@@ -33,14 +33,14 @@ inline std::string reproduce(const std::vector<WeightedPoint3>& sites) {
   return text;
 }
 
-struct WeightFamily {
+struct SiteWeightFamily {
   const char* name;
   double (*weight)(Random&);
 };
 
 /// From those that hide nothing to those that hide nearly all.
-inline const std::vector<WeightFamily>& weight_families() {
-  static const std::vector<WeightFamily> families{
+inline const std::vector<SiteWeightFamily>& site_weight_families() {
+  static const std::vector<SiteWeightFamily> families{
       {"zero", [](Random&) { return 0.0; }},
       {"equal", [](Random&) { return 0.375; }},
       {"integers within 3", [](Random& r) { return small_integer(r, 3); }},
@@ -53,7 +53,7 @@ inline const std::vector<WeightFamily>& weight_families() {
   return families;
 }
 
-inline std::vector<WeightedPoint3> weighted(const std::vector<Point3>& points, const WeightFamily& family,
+inline std::vector<WeightedPoint3> weighted(const std::vector<Point3>& points, const SiteWeightFamily& family,
                                             Random& random) {
   std::vector<WeightedPoint3> sites;
   for (const Point3& p : points) sites.push_back({p, family.weight(random)});
