@@ -47,8 +47,7 @@ struct Centre {
 
 class Separator {
  public:
-  Separator(const FlowCells& flow, const Context& context)
-      : flow_(flow), points_(flow.triangulation()), poles_(flow, context) {}
+  Separator(const FlowCells& flow, const Context& context) : points_(flow.triangulation()), poles_(flow, context) {}
 
   enum class Place { surface, medial, disputed_surface, disputed_medial };
 
@@ -75,7 +74,6 @@ class Separator {
     return slant(way, poles_.direction<N>(vertex));
   }
 
-  const FlowCells& flow_;
   const Delaunay3& points_;
   Poles poles_;
   std::vector<Point3> corners_;
