@@ -165,7 +165,7 @@ TEST(ChangingRegular3, EachOrderOfFewPoints) {
         expect_same(changing, present.points);
       }
       std::vector<std::size_t> out = order;
-      std::ranges::rotate(out, out.begin() + static_cast<std::ptrdiff_t>(orders % out.size()));
+      std::rotate(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(orders % out.size()), out.end());
       for (const std::size_t i : out) {
         SCOPED_TRACE(reproduce(present.points) + " less " + reproduce({sites[i]}));
         const auto at = static_cast<std::size_t>(std::ranges::find(present.points, sites[i]) - present.points.begin());

@@ -345,7 +345,7 @@ void DeloneComplex::collect_facets(const TriangulationView3& triangulation, cons
     const std::span<const Piece> parts(pieces.data() + begin, end - begin);
     facet.vertices = d == 3 ? polygon_of(parts) : vertices_of(parts, d);
     std::erase_if(facet.vertices, [&](std::uint32_t v) { return !labels.is_corner(v); });
-    std::ranges::rotate(facet.vertices, std::ranges::min_element(facet.vertices));
+    std::rotate(facet.vertices.begin(), std::ranges::min_element(facet.vertices), facet.vertices.end());
     facets.push_back(std::move(facet));
     begin = end;
   }
