@@ -120,11 +120,13 @@ ChangingRegular2::ChangingRegular2(std::span<const WeightedPoint2> points, const
   const Regular2 regular(points, context);
   const std::size_t count = regular.vertex_count();
   for (std::size_t i = 0; i < count; ++i) {
+    if (i % poll_step == 0) context.poll();
     const Vertex2 v = add(regular.point(Vertex2(i)));
     for (std::size_t more = regular.inputs(Vertex2(i)).size(); more > 1; --more) points_.add_once_more(v);
   }
   std::vector<std::uint32_t> hidden;
   for (const std::uint32_t input : regular.hidden()) {
+    if (hidden.size() % poll_step == 0) context.poll();
     const WeightedPoint2 p = without_negative_zeros(points[input]);
     const Vertex2 known = find(p);
     if (known.is_none()) {
