@@ -6,6 +6,7 @@
 #include <sched.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cmath>
@@ -19,8 +20,6 @@
 namespace quoin::cli {
 
 namespace {
-
-constexpr long moments = 25'000'000;  // nanoseconds; polls are about 5 milliseconds apart
 
 ForcedEndOptions prepared;
 timer_t timer{};
@@ -85,6 +84,8 @@ void end_by_force(int /*signal*/) {
 
 void set_timer(double seconds) {
   itimerspec time{};
+  constexpr double most = 1e9;
+  seconds = std::min(seconds, most);
   const double whole = std::floor(seconds);
   time.it_value.tv_sec = static_cast<time_t>(whole);
   time.it_value.tv_nsec = static_cast<long>((seconds - whole) * 1e9);
@@ -103,11 +104,12 @@ void prepare_forced_end(ForcedEndOptions options) {
   pthread_sigmask(SIG_UNBLOCK, &signal, nullptr);
   if (timer_create(CLOCK_MONOTONIC, nullptr, &timer) != 0) return;
   is_prepared = true;
-  if (prepared.seconds) set_timer(*prepared.seconds + 1e-9 * moments);
+  if (prepared.seconds) set_timer(*prepared.seconds);
 }
 
-void schedule_forced_end() noexcept {
-  if (is_prepared && !is_interrupted.exchange(true)) set_timer(1e-9 * moments);
+void force_end() noexcept {
+  constexpr double soon = 1e-9;  // by the timer's signal, which waits while it is blocked
+  if (is_prepared && !is_interrupted.exchange(true)) set_timer(soon);
 }
 
 void end_in_order() noexcept {

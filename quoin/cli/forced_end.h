@@ -20,16 +20,18 @@ struct ForcedEndOptions {
   int exit_code = 0;
 };
 
-// What was cancelled ends by itself at its next poll. It may be far from one, though: it sorts millions, waits for a
-// device, gives gigabytes back. Some moments after the interruption, or the time limit, the process then ends by force,
-// with the words and the exit code that it would have had, and without files that are not whole. Gigabytes are given
-// back behind its end, by a process that nobody waits for.
+// What was cancelled ends by itself at its next poll, and what it holds is given back on the way. The poll may be far,
+// though, where millions are sorted or a device is waited for, and gigabytes take a tenth of a second to be given back.
+// A process ends by force instead, at an interruption or the time limit: with the words and the exit code that it would
+// have had, and without files that are not whole. Its memory is given back behind its end, by a process that nobody
+// waits for.
 
-/// Sets the time limit. Once in a process; nothing below does anything before.
+/// Sets the time limit. Once in a process; nothing below does anything before. What was reported and not flushed by
+/// then is lost.
 void prepare_forced_end(ForcedEndOptions options);
 
-/// After an interruption: the process ends by force unless it ends in order within moments. For signal handlers.
-void schedule_forced_end() noexcept;
+/// The process ends, at once or behind the last guard. For signal handlers.
+void force_end() noexcept;
 
 /// No forced end comes from now on: the caller says the last words. Does not return where they were said.
 void end_in_order() noexcept;

@@ -27,7 +27,7 @@ const ForcedEndOptions ending{
   for (;;) pause();
 }
 
-void go_on_for_longer_than_moments() {
+void go_on_for_a_while() {
   constexpr useconds_t microseconds = 200'000;
   usleep(microseconds);
 }
@@ -67,8 +67,8 @@ TEST(ForcedEnd, ComesWhereNothingHeedsTheTimeLimit) {
 
 TEST(ForcedEnd, DoesNotComeBeforeItIsPrepared) {
   const auto unprepared = [] {
-    schedule_forced_end();
-    go_on_for_longer_than_moments();
+    force_end();
+    go_on_for_a_while();
     _exit(7);
   };
   EXPECT_EXIT(unprepared(), testing::ExitedWithCode(7), "^$");
@@ -77,10 +77,10 @@ TEST(ForcedEnd, DoesNotComeBeforeItIsPrepared) {
 TEST(ForcedEnd, DoesNotComeAfterOneInOrder) {
   const auto in_order = [] {
     prepare_forced_end(ending);
-    schedule_forced_end();
     end_in_order();
+    force_end();
     end_in_order();  // as where the last words fail
-    go_on_for_longer_than_moments();
+    go_on_for_a_while();
     _exit(7);
   };
   EXPECT_EXIT(in_order(), testing::ExitedWithCode(7), "^$");
@@ -95,7 +95,7 @@ TEST(ForcedEnd, RemovesTheFileThatIsNotWhole) {
       std::ofstream(name) << "half";
       guard.remove_at_forced_end(name.c_str());
     }
-    schedule_forced_end();
+    force_end();
     go_on_for_ever();
   };
   EXPECT_EXIT(writing(), testing::ExitedWithCode(4), "cancelled");
@@ -109,7 +109,7 @@ TEST(ForcedEnd, LeavesTheFileThatIsWhole) {
     WithoutForcedEnd().remove_at_forced_end(name.c_str());
     std::ofstream(name) << "whole";
     WithoutForcedEnd().remove_at_forced_end(nullptr);
-    schedule_forced_end();
+    force_end();
     go_on_for_ever();
   };
   EXPECT_EXIT(written(), testing::ExitedWithCode(4), "cancelled");
@@ -121,8 +121,8 @@ TEST(ForcedEnd, WaitsForWhatIsDoneAsAWhole) {
     prepare_forced_end(ending);
     {
       const WithoutForcedEnd guard;
-      schedule_forced_end();
-      go_on_for_longer_than_moments();
+      force_end();
+      go_on_for_a_while();
       EXPECT_EQ(write(STDERR_FILENO, "done\n", 5), 5);
     }
     go_on_for_ever();
@@ -139,7 +139,7 @@ TEST(ForcedEnd, SaysNothingWhereNobodyReads) {
     ForcedEndOptions options = ending;
     options.interrupted.output = "{}\n";
     prepare_forced_end(options);
-    schedule_forced_end();
+    force_end();
     go_on_for_ever();
   };
   EXPECT_EXIT(unread(), testing::ExitedWithCode(4), "^cancelled\n$");
@@ -150,7 +150,7 @@ TEST(ForcedEnd, WhoeverGivesBackItsMemoryEndsToo) {
   const pid_t process = fork();
   if (process == 0) {
     prepare_forced_end(ending);
-    schedule_forced_end();
+    force_end();
     go_on_for_ever();
   }
   int status = 0;

@@ -16,7 +16,7 @@ std::atomic<bool> interrupted{false};
 void cancel_running(int) {
   interrupted = true;
   if (Context* context = running.load()) context->cancel();
-  schedule_forced_end();
+  force_end();
 }
 
 }  // namespace
