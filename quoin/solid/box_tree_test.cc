@@ -93,7 +93,7 @@ TEST(BoxTree, QueriesMissNothing) {
   for (const double scale : {1.0, 1e-300, 1e300, 5e-324}) {
     for (const bool coarse : {false, true}) {
       for (const std::size_t count : {0U, 1U, 9U, 300U}) {
-        SCOPED_TRACE(testing::Message() << "scale " << scale << " coarse " << coarse << " count " << count);
+        SCOPED_TRACE(::testing::Message() << "scale " << scale << " coarse " << coarse << " count " << count);
         const Soup a = soup(count, scale, coarse, 1);
         const Soup b = soup(count, scale, coarse, 2);
         const BoxTree tree_a(a.vertices, a.tiles, context);

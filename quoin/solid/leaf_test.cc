@@ -56,7 +56,7 @@ TEST(Leaf, PolygonsAreCutAtAnyScale) {
       mesh.add_face(top);
       for (std::uint32_t i = 0; i < 8; ++i) mesh.add_face(std::array{i, (i + 1) % 8, 8 + (i + 1) % 8, 8 + i});
       const LeafResult result = leaf_of(shapes::scaled(shapes::pointing_along(mesh, axis), {scale, scale, scale}));
-      SCOPED_TRACE(testing::Message() << "axis " << static_cast<int>(axis) << " exponent " << exponent);
+      SCOPED_TRACE(::testing::Message() << "axis " << static_cast<int>(axis) << " exponent " << exponent);
       ASSERT_NE(result.leaf, nullptr);
       EXPECT_EQ(result.diagnosis.not_simple_faces.count + result.diagnosis.not_planar_faces.count, 0U);
       EXPECT_FALSE(result.leaf->crosses_itself);

@@ -127,7 +127,7 @@ TEST(PatchCertificate, LayersOverOneAnotherAreNoPatch) {
     if (tests_take_fewer_rounds && scale > 1) break;
     for (const double turns : {0.5, 1.0, 2.0, 3.5}) {
       for (const double pitch : {0.0, 0.01, 0.5}) {
-        SCOPED_TRACE(testing::Message() << scale << " turns " << turns << " pitch " << pitch);
+        SCOPED_TRACE(::testing::Message() << scale << " turns " << turns << " pitch " << pitch);
         const Vector3 by{scale, scale, scale};
         patches += compare(shapes::scaled(ramp(turns, pitch, 0), by)).patches;
         const Outcome swinging = compare(shapes::scaled(ramp(turns, pitch, 0.3), by));

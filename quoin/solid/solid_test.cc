@@ -291,7 +291,7 @@ TEST(Solid, RandomBoxesAgainstCellCounts) {
         }
       }
     }
-    SCOPED_TRACE(testing::Message() << "repeat " << repeat);
+    SCOPED_TRACE(::testing::Message() << "repeat " << repeat);
     const Solid all = unite(solids, one_thread);
     EXPECT_EQ(volume_of(all), Rational(expected_union));
     expect_valid(all);
@@ -474,7 +474,7 @@ TEST(Exit, UnboundedSetsKeepTheirBoundary) {
     }
     const Solid outside = complement(unite(cubes, one_thread), one_thread);
     const Triangulated t = triangulate_boundary(outside.boundary(), {}, one_thread);
-    SCOPED_TRACE(testing::Message() << "angle " << angle << " rounds " << t.rounds);
+    SCOPED_TRACE(::testing::Message() << "angle " << angle << " rounds " << t.rounds);
     Mesh mesh;
     mesh.vertices = t.vertices;
     for (const Tile& tile : t.triangles) mesh.add_face(tile);
@@ -521,7 +521,7 @@ TEST(Exit, NearlyCoincidentCubesAreSnappedUntilNothingCrosses) {
       const Solid s = is_union ? unite(cubes, one_thread) : intersect(cubes, one_thread);
       expect_valid(s);
       const Triangulated t = triangulate_boundary(s.boundary(), {}, one_thread);
-      SCOPED_TRACE(testing::Message() << "angle " << angle << " union " << is_union << " rounds " << t.rounds);
+      SCOPED_TRACE(::testing::Message() << "angle " << angle << " union " << is_union << " rounds " << t.rounds);
       ASSERT_LE(t.rounding, Rounding::changed);
       snapped += t.rounds > 0 ? 1 : 0;
       Mesh mesh;

@@ -140,7 +140,7 @@ TEST(Delaunay2, PointsGivenTwiceGiveTheSameBytes) {
     for (const PointSetFamily& family : point_sets()) {
       std::vector<Point2> points = family.make(random, static_cast<std::size_t>(count));
       for (int i = 0; i < count; ++i)
-        points.push_back({testing::unit(random) * 0x1p-20, testing::unit(random) * 0x1p-20});
+        points.push_back({testing::fraction(random) * 0x1p-20, testing::fraction(random) * 0x1p-20});
       points.push_back({1, 1});
       const Delaunay2 once(points);
       const std::vector<Point2> copy = points;

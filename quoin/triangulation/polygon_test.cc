@@ -84,7 +84,7 @@ TEST(Polygon, StarsOfAnySizeAndScaleArePartitioned) {
   for (const double scale : {1.0, 1e-300, 1e150, 1e300}) {
     for (const std::size_t n : {3U, 4U, 5U, 6U, 9U, 20U, 101U}) {
       for (int repeat = 0; repeat < 20; ++repeat) {
-        SCOPED_TRACE(testing::Message() << "scale " << scale << " n " << n << " repeat " << repeat);
+        SCOPED_TRACE(::testing::Message() << "scale " << scale << " n " << n << " repeat " << repeat);
         expect_partition(star(n, random, scale), one_loop(n));
       }
     }
@@ -110,7 +110,7 @@ TEST(Polygon, IntegerStarsWithManyCollinearVertices) {
     const int teeth = 12;
     for (int i = 1; i <= teeth; ++i) p.push_back({static_cast<double>(i), -static_cast<double>(height(random) - 1)});
     for (int i = teeth; i >= 0; --i) p.push_back({static_cast<double>(i), static_cast<double>(height(random))});
-    SCOPED_TRACE(testing::Message() << "repeat " << repeat);
+    SCOPED_TRACE(::testing::Message() << "repeat " << repeat);
     expect_partition(p, one_loop(p.size()));
   }
 }
@@ -243,7 +243,7 @@ class SlitsAndVertices {
 TEST(Polygon, SlitsAndSingleVerticesAreKept) {
   for (const int size : {5, 6, 9, 14}) {
     for (std::uint64_t seed = 0; seed < 150; ++seed) {
-      SCOPED_TRACE(testing::Message() << "size " << size << " seed " << seed);
+      SCOPED_TRACE(::testing::Message() << "size " << size << " seed " << seed);
       std::mt19937_64 random(seed);
       SlitsAndVertices polygon(size);
       polygon.add_slits(random, static_cast<int>(seed));

@@ -23,9 +23,9 @@
 namespace quoin {
 namespace {
 
+using testing::fraction;
 using testing::PointSetFamily;
 using testing::Random;
-using testing::unit;
 
 using Points = std::vector<Point2>;
 
@@ -83,7 +83,7 @@ Points grid(std::size_t columns, std::size_t rows, double move, Random& random) 
   Points points;
   for (std::size_t y = 0; y < rows; ++y) {
     for (std::size_t x = 0; x < columns; ++x) {
-      points.push_back({static_cast<double>(x) + move * unit(random), static_cast<double>(y)});
+      points.push_back({static_cast<double>(x) + move * fraction(random), static_cast<double>(y)});
     }
   }
   return points;
@@ -92,8 +92,8 @@ Points grid(std::size_t columns, std::size_t rows, double move, Random& random) 
 /// Most on a line, which leaves the hull flat on one side, and the curve's runs long.
 Points mostly_on_a_line(Random& random, std::size_t count) {
   return testing::repeat(count, [&] {
-    const double x = std::floor(unit(random) * 4096);
-    return Point2{x, random() % 16 == 0 ? std::floor(unit(random) * 64) : 0.0};
+    const double x = std::floor(fraction(random) * 4096);
+    return Point2{x, random() % 16 == 0 ? std::floor(fraction(random) * 64) : 0.0};
   });
 }
 
@@ -191,7 +191,7 @@ TEST(PlaneThreads, SortPointsAsOneDoes) {
   equal[8] = {1, 1};
   many.push_back({"nearly all are equal", equal});
   many.push_back({"each many times", testing::repeat(count, [&] {
-                    return Point2{std::floor(30 * unit(random)), std::floor(30 * unit(random))};
+                    return Point2{std::floor(30 * fraction(random)), std::floor(30 * fraction(random))};
                   })});
   for (const Family& family : many) {
     SCOPED_TRACE(family.name);

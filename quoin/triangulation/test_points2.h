@@ -32,7 +32,7 @@ std::vector<Point2> repeat(std::size_t count, const Make& make) {
   return points;
 }
 
-inline double unit(Random& random) {
+inline double fraction(Random& random) {
   return std::uniform_real_distribution<double>(0, 1)(random);
 }
 
@@ -48,7 +48,7 @@ inline Point2 on_circle(Random& random) {
 inline const std::vector<PointSetFamily>& point_sets() {
   static const std::vector<PointSetFamily> all{
       {"uniform", [](Random& r, std::size_t n) { return repeat(n, [&] {
-                                                   return Point2{unit(r), unit(r)};
+                                                   return Point2{fraction(r), fraction(r)};
                                                  }); }},
       {"small grid",
        [](Random& r, std::size_t n) {
@@ -64,7 +64,7 @@ inline const std::vector<PointSetFamily>& point_sets() {
       {"near a circle",
        [](Random& r, std::size_t n) {
          return repeat(n, [&] {
-           const double angle = 6.28 * unit(r);
+           const double angle = 6.28 * fraction(r);
            return Point2{std::cos(angle), std::sin(angle)};
          });
        }},
@@ -78,7 +78,7 @@ inline const std::vector<PointSetFamily>& point_sets() {
       {"near a line",
        [](Random& r, std::size_t n) {
          return repeat(n, [&] {
-           const double t = unit(r);
+           const double t = fraction(r);
            return Point2{t, r() % 8 == 0 ? std::nextafter(t, 0.0) : t};
          });
        }},
@@ -88,7 +88,7 @@ inline const std::vector<PointSetFamily>& point_sets() {
       {"a grid, each many times",
        [](Random& r, std::size_t n) {
          return repeat(n, [&] {
-           return Point2{small_integer(r, 1) + 0.0 * unit(r), -0.0 * small_integer(r, 1) + small_integer(r, 1)};
+           return Point2{small_integer(r, 1) + 0.0 * fraction(r), -0.0 * small_integer(r, 1) + small_integer(r, 1)};
          });
        }},
       {"any doubles",
@@ -116,7 +116,7 @@ inline const std::vector<PointSetFamily>& point_sets() {
        [](Random& r, std::size_t n) {
          return repeat(n, [&] {
            const int level = -static_cast<int>(r() % 30);
-           return Point2{std::ldexp(unit(r), 3 * level), std::ldexp(unit(r), 3 * level)};
+           return Point2{std::ldexp(fraction(r), 3 * level), std::ldexp(fraction(r), 3 * level)};
          });
        }},
       {"two lines",

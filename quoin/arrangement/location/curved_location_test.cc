@@ -60,7 +60,7 @@ TEST(PointLocation, CirclesAndSegments) {
     const GridLocator<CircularFamily> grid(a);
     const std::vector<Location> batch = locate_batch(a, std::span<const CircularPoint>(queries), Context());
     for (std::size_t i = 0; i < queries.size(); ++i) {
-      SCOPED_TRACE(testing::Message() << "seed " << seed << " (" << queries[i].x << ", " << queries[i].y << ")");
+      SCOPED_TRACE(::testing::Message() << "seed " << seed << " (" << queries[i].x << ", " << queries[i].y << ")");
       const std::string expected = name(naive.locate(queries[i]));
       ASSERT_EQ(name(walk.locate(queries[i])), expected);
       ASSERT_EQ(name(trapezoids.locate(queries[i])), expected);
@@ -183,7 +183,7 @@ std::vector<Location> locate_everywhere(const SphereInput& input, int turns) {
 /// elsewhere.
 TEST(PointLocation, TurnedSpheresHaveTheSameFaces) {
   for (unsigned seed = 0; seed < test_rounds(150U); ++seed) {
-    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    SCOPED_TRACE(::testing::Message() << "seed " << seed);
     const SphereInput input = random_input(seed);
     const std::vector<Location> first = locate_everywhere(input, 0);
     for (const int turns : {1, 2}) {
@@ -191,7 +191,7 @@ TEST(PointLocation, TurnedSpheresHaveTheSameFaces) {
       std::map<Location, Location> partner;
       std::map<Location, Location> back;
       for (std::size_t i = 0; i < first.size(); ++i) {
-        SCOPED_TRACE(testing::Message() << "turns " << turns << " query " << i);
+        SCOPED_TRACE(::testing::Message() << "turns " << turns << " query " << i);
         ASSERT_EQ(other[i].is_face(), first[i].is_face());
         if (!first[i].is_face()) continue;
         ASSERT_EQ(partner.emplace(first[i], other[i]).first->second, other[i]);
@@ -205,7 +205,7 @@ TEST(PointLocation, TurnedSpheresHaveTheSameFaces) {
 /// Every face of a sphere has cells, neighbours lie in one face and name each other.
 TEST(VerticalDecomposition, OfSpheres) {
   for (unsigned seed = 0; seed < test_rounds(150U); ++seed) {
-    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    SCOPED_TRACE(::testing::Message() << "seed " << seed);
     const SphereInput input = random_input(seed);
     GeodesicFamily family;
     PieceList<GeodesicFamily> list;

@@ -35,7 +35,7 @@ TEST(PointLocation, AllStrategiesAgreeWithScans) {
         locate_batch(scene.arrangement, std::span<const LinearPoint>(scene.queries), Context());
     for (std::size_t i = 0; i < scene.queries.size(); ++i) {
       const LinearPoint& p = scene.queries[i];
-      SCOPED_TRACE(testing::Message() << "query " << i << " (" << p.x << ", " << p.y << ")");
+      SCOPED_TRACE(::testing::Message() << "query " << i << " (" << p.x << ", " << p.y << ")");
       const Location expected = naive.locate(p);
       ASSERT_EQ(name(trapezoids.locate(p)), name(expected));
       ASSERT_EQ(name(walk.locate(p)), name(expected));
@@ -54,8 +54,8 @@ TEST(PointLocation, RaysAgreeWithScans) {
     for (std::size_t i = 0; i < scene.queries.size(); ++i) {
       const LinearPoint& p = scene.queries[i];
       for (const Direction direction : {Direction::down, Direction::up}) {
-        SCOPED_TRACE(testing::Message() << "query " << i << " (" << p.x << ", " << p.y << ") "
-                                        << (direction == Direction::up ? "up" : "down"));
+        SCOPED_TRACE(::testing::Message() << "query " << i << " (" << p.x << ", " << p.y << ") "
+                                          << (direction == Direction::up ? "up" : "down"));
         const Location expected = naive.shoot(p, direction);
         ASSERT_EQ(name(trapezoids.shoot(p, direction)), name(expected));
         ASSERT_EQ(name(walk.shoot(p, direction)), name(expected));
@@ -135,7 +135,7 @@ TEST(PointLocation, ManyQueriesAgree) {
     const GridLocator<LinearFamily> grid(a);
     const std::vector<Location> batch = locate_batch(a, std::span<const LinearPoint>(queries), Context());
     for (std::size_t i = 0; i < queries.size(); ++i) {
-      SCOPED_TRACE(testing::Message() << "seed " << seed << " query " << i);
+      SCOPED_TRACE(::testing::Message() << "seed " << seed << " query " << i);
       ASSERT_EQ(name(trapezoids.locate(queries[i])), name(batch[i]));
       ASSERT_EQ(name(grid.locate(queries[i])), name(batch[i]));
       if (i % 1009 == 0) {

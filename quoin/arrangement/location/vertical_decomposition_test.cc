@@ -23,7 +23,7 @@ TEST(VerticalDecomposition, CountsOfSegmentsInGeneralPosition) {
     const std::size_t n = 1 + 7 * seed;
     const LinearArrangement a = random_segments(n, 0.1 + 0.02 * seed, seed);
     const std::size_t crossings = a.counts().vertices - 2 * n;
-    SCOPED_TRACE(testing::Message() << "seed " << seed << ", " << crossings << " crossings");
+    SCOPED_TRACE(::testing::Message() << "seed " << seed << ", " << crossings << " crossings");
     EXPECT_EQ(decompose(a).trapezoids.size(), 3 * n + 3 * crossings + 1);
     EXPECT_EQ(decompose(a, false).trapezoids.size(), 3 * n + crossings + 1);
     EXPECT_EQ(TrapezoidLocator<LinearFamily>(a).trapezoid_count(), 3 * n + 3 * crossings + 1);
@@ -38,7 +38,7 @@ TEST(VerticalDecomposition, VerticesSeeWhatRaysMeet) {
     for (std::size_t i = 0; i < a.vertex_count(); ++i) {
       const dcel::VertexId v(i);
       if (!a.cells().is_real(v)) continue;
-      SCOPED_TRACE(testing::Message() << scene.name << ", vertex " << i);
+      SCOPED_TRACE(::testing::Message() << scene.name << ", vertex " << i);
       ASSERT_EQ(d.views[i].below, naive.shoot(a.point(v), Direction::down));
       ASSERT_EQ(d.views[i].above, naive.shoot(a.point(v), Direction::up));
     }
@@ -49,7 +49,7 @@ TEST(VerticalDecomposition, VerticesSeeWhatRaysMeet) {
 void check_neighbours(const std::vector<PseudoTrapezoid>& cells, bool has_walls_everywhere) {
   for (std::uint32_t i = 0; i < cells.size(); ++i) {
     const PseudoTrapezoid& cell = cells[i];
-    SCOPED_TRACE(testing::Message() << "cell " << i);
+    SCOPED_TRACE(::testing::Message() << "cell " << i);
     if (cell.upper_right != none) {
       const PseudoTrapezoid& next = cells[cell.upper_right];
       ASSERT_EQ(next.upper_left, i);

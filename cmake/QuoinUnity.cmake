@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: Apache-2.0
+# Sources that are compiled as one, where QUOIN_UNITY asks for it: headers are read and templates made once for all of them.
+
+if(QUOIN_UNITY)
+  find_package(Python3 REQUIRED COMPONENTS Interpreter)
+endif()
+
+# The sources of a target that lie in quoin/, a dozen at a time. Called in the directory that makes the target.
+function(quoin_compile_in_groups target)
+  if(NOT QUOIN_UNITY)
+    return()
+  endif()
+  set(root "${PROJECT_SOURCE_DIR}/quoin")
+  get_target_property(sources ${target} SOURCES)
+  set(listed "")
+  foreach(source ${sources})
+    get_filename_component(path "${source}" ABSOLUTE)
+    file(RELATIVE_PATH path "${root}" "${path}")
+    if(NOT path MATCHES "^\\.\\." AND path MATCHES "\\.cc$")
+      string(APPEND listed "${path}\n")
+    endif()
+  endforeach()
+  set(list_file "${CMAKE_CURRENT_BINARY_DIR}/${target}_sources.txt")
+  file(WRITE "${list_file}" "${listed}")
+  execute_process(COMMAND "${Python3_EXECUTABLE}" "${PROJECT_SOURCE_DIR}/cmake/unity_groups.py" "${root}" 12
+    INPUT_FILE "${list_file}" OUTPUT_VARIABLE groups OUTPUT_STRIP_TRAILING_WHITESPACE RESULT_VARIABLE status)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "unity_groups.py failed: ${status}")
+  endif()
+  string(REPLACE "\n" ";" groups "${groups}")
+  foreach(line ${groups})
+    string(REGEX MATCH "^([^:]+):(.*)$" found "${line}")
+    set_source_files_properties("${root}/${CMAKE_MATCH_2}" PROPERTIES UNITY_GROUP "${target}_${CMAKE_MATCH_1}")
+  endforeach()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+endfunction()
