@@ -21,7 +21,7 @@ bool is_saddle(std::uint32_t end) {
 }  // namespace
 
 SaddleArcs::SaddleArcs(const FlowCells& flow)
-    : flow_(flow), crosser_(flow), end_(flow.cells().size(), unknown), segments_(flow.cells().size(), 0) {}
+    : flow_(flow), crosser_(flow), end_(flow.cells().size(), unknown), segments_(flow.cells().size()) {}
 
 /// The Delone cell on one side of a facet, or infinity.
 std::uint32_t SaddleArcs::along(CellFacet facet, bool is_above) const {
@@ -90,7 +90,7 @@ void SaddleArcs::trace(std::uint32_t first, const Context& context) {
     const std::uint32_t cell = next.next & ~has_passed;
     if (cell == at || cell >= first_saddle) {
       end_[at] = next.next;
-      segments_[at] = next.segments;
+      segments_.set(at, next.segments);
     } else {
       open_.emplace_back(at, next);
       if (open_.size() % 1024 == 0) context.poll();
@@ -100,7 +100,7 @@ void SaddleArcs::trace(std::uint32_t first, const Context& context) {
   for (; !open_.empty(); open_.pop_back()) {
     const auto& [from, legs] = open_.back();
     end_[from] = end_[at] | (legs.next & has_passed);
-    segments_[from] = segments_[at] + legs.segments;
+    segments_.set(from, segments_[at] + legs.segments);
     at = from;
   }
 }

@@ -9,6 +9,7 @@
 
 #include "quoin/base/context.h"
 #include "quoin/flow/cell_crossing.h"
+#include "quoin/flow/compact_counts.h"
 #include "quoin/flow/histogram.h"
 
 namespace quoin {
@@ -34,7 +35,8 @@ struct ArcLeg {
 };
 
 /// The ways from saddles to maxima and infinity, for all of them: what ArcTracer tells, in the time of a few
-/// triangulations at most. Each Voronoi vertex is advanced once; 8 bytes per simplex. Ways go on behind stationary
+/// triangulations at most. Each Voronoi vertex is advanced once; 6 bytes per simplex, 8 where a way has more
+/// than 65,535 segments. Ways go on behind stationary
 /// points that are not critical.
 class SaddleArcs {
  public:
@@ -68,7 +70,7 @@ class SaddleArcs {
   const FlowCells& flow_;
   CellCrosser crosser_;
   std::vector<std::uint32_t> end_;
-  std::vector<std::uint32_t> segments_;
+  CompactCounts segments_;
   std::vector<std::pair<std::uint32_t, Leg>> open_;
   std::vector<std::uint32_t> in_saddles_;  ///< cells at saddles in which ways end
   Histogram cascades_;
