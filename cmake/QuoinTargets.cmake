@@ -17,9 +17,8 @@ endif()
 add_library(quoin_warnings INTERFACE)
 target_compile_options(quoin_warnings INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion -Werror)
-if(NOT QUOIN_UNITY)  # there, one file's constants are around another's variables
-  target_compile_options(quoin_warnings INTERFACE -Wshadow)
-endif()
+# In groups, one file's constants are around another's variables.
+target_compile_options(quoin_warnings INTERFACE $<$<NOT:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>>:-Wshadow>)
 # Fixed-width integers use the compiler's 128-bit type, which -Wpedantic rejects.
 target_compile_options(quoin_warnings INTERFACE -Wno-pedantic)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
