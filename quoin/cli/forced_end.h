@@ -26,8 +26,8 @@ struct ForcedEndOptions {
 // have had, and without files that are not whole. Its memory is given back behind its end, by a process that nobody
 // waits for.
 
-/// Sets the time limit. Once in a process; nothing below does anything before. What was reported and not flushed by
-/// then is lost.
+/// Sets the time limit. Once in a process; nothing below does anything before. Streams are not flushed at a forced end:
+/// who reports before the end flushes.
 void prepare_forced_end(ForcedEndOptions options);
 
 /// The process ends, at once or behind the last guard. For signal handlers.

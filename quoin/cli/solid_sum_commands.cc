@@ -69,7 +69,7 @@ void announce(const Solid& a, const Solid& b, const Options& options) {
   const SumEstimate estimate = estimate_sum(a, b);
   if (estimate.edge_pairs < many || options.quiet) return;
   report_stream(options) << "a sum over " << estimate.edges_of_first << " x " << estimate.edges_of_second
-                         << " pairs of edges: seconds for each billion, and memory for what they make\n";
+                         << " pairs of edges: seconds for each billion, and memory for what they make" << std::endl;
 }
 
 std::vector<Operand> read_operands(const Options& options, std::vector<std::string>& warnings, const Context& context) {

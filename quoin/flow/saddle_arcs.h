@@ -35,9 +35,8 @@ struct ArcLeg {
 };
 
 /// The ways from saddles to maxima and infinity, for all of them: what ArcTracer tells, in the time of a few
-/// triangulations at most. Each Voronoi vertex is advanced once; 6 bytes per simplex, 8 where a way has more
-/// than 65,535 segments. Ways go on behind stationary
-/// points that are not critical.
+/// triangulations at most. Each Voronoi vertex is advanced once; 6 bytes per simplex, 8 where a way has more than
+/// 65,535 segments. Ways go on behind stationary points that are not critical.
 class SaddleArcs {
  public:
   /// The cells must outlive it.
