@@ -11,11 +11,11 @@ import pathlib
 import re
 import sys
 
-OPENED = re.compile(r"^(?:inline )?namespace ?([\w:]*) \{")
+from open_namespaces import members
+
 USING_DIRECTIVE = re.compile(r"^using namespace [^;]*;", re.MULTILINE)
 INCLUDE = re.compile(r'^\s*#\s*include\s+"(quoin/[^"]+)"', re.MULTILINE)
 OF_THE_FILE = re.compile(r"^(?:using|#\s*define|const|static|namespace \w+ =)")
-CLOSED = re.compile(r"^\}  // (?:inline )?namespace")
 BROUGHT_IN = re.compile(r"^using [\w:]*::(\w+);")
 NAMED = [
     re.compile(r"^(?:template <.*> )?(?:struct|class|union|enum(?: class)?) (?:alignas\(\w+\) )?([A-Za-z]\w*)"),
@@ -39,17 +39,8 @@ def name_of(line):
 
 def names(text, everywhere):
     """Of what is defined in namespaces without a name or, if `everywhere`, in those that have one: with its first line."""
-    open_namespaces = []
-    found = {}
-    for line in text.splitlines():
-        if opened := OPENED.match(line):
-            open_namespaces.append(opened[1] or None)
-        elif CLOSED.match(line) and open_namespaces:
-            open_namespaces.pop()
-        elif everywhere or None in open_namespaces or OF_THE_FILE.match(line):
-            if name := name_of(line):
-                found[name] = line
-    return found
+    return {name: line for line, _, namespaces in members(text.splitlines())
+            if (everywhere or None in namespaces or OF_THE_FILE.match(line)) and (name := name_of(line))}
 
 
 class Headers:
@@ -103,21 +94,21 @@ def groups(sources, directory, most):
         own, seen = names(text, False), headers.names(text)
         directives = frozenset(USING_DIRECTIVE.findall(text))
         here = open_groups.setdefault((pathlib.Path(source).parts[0], directives), [])
-        for members, contents in here:
-            if len(members) < most and can_stand_with(own, seen, contents):
-                members.append(source)
+        for group, contents in here:
+            if len(group) < most and can_stand_with(own, seen, contents):
+                group.append(source)
                 contents.append((own, seen))
                 break
         else:
             here.append(([source], [(own, seen)]))
-    return [members for here in open_groups.values() for members, _ in here if len(members) > 1]
+    return [group for here in open_groups.values() for group, _ in here if len(group) > 1]
 
 
 def main():
     directory, most = pathlib.Path(sys.argv[1]).resolve(), int(sys.argv[2])
     sources = [line.strip() for line in sys.stdin if line.strip()]
-    for number, members in enumerate(groups(sources, directory, most)):
-        for source in members:
+    for number, group in enumerate(groups(sources, directory, most)):
+        for source in group:
             print(f"{number}:{source}")
 
 

@@ -9,22 +9,19 @@ import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-OPENED = re.compile(r"^(?:inline )?namespace ?([\w:]*) \{")
-CLOSED = re.compile(r"^\}  // (?:inline )?namespace")
+sys.path.insert(0, str(ROOT / "cmake"))
+
+from open_namespaces import members  # noqa: E402
+
 TYPE = re.compile(r"^(?:struct|class|union|enum(?: class)?) ([A-Z]\w*)(?: final)?(?: :(?!:).*| \{.*)?$")
 CONCEPT = re.compile(r"^concept ([A-Z]\w*) =")
 
 
 def definitions(lines):
     """(qualified name, line number) of every type that is neither declared only, nor a specialization, nor of one file."""
-    open_namespaces = []
-    for number, line in enumerate(lines, 1):
-        if opened := OPENED.match(line):
-            open_namespaces.append(opened[1] or None)
-        elif CLOSED.match(line):
-            open_namespaces.pop()
-        elif (found := TYPE.match(line) or CONCEPT.match(line)) and None not in open_namespaces:
-            yield "::".join([*open_namespaces, found[1]]), number
+    for line, number, namespaces in members(lines):
+        if (found := TYPE.match(line) or CONCEPT.match(line)) and None not in namespaces:
+            yield "::".join([*namespaces, found[1]]), number
 
 
 def main():
