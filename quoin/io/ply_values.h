@@ -24,6 +24,7 @@ class PlyValues {
 
   std::size_t remaining() const { return body_.size() - position_; }
 
+  /// Perhaps not finite, in text as in binary.
   double next(PlyType type) { return format_ == MeshFormat::ply_text ? next_word() : next_binary(type); }
 
   /// Ends an element: in text, each has a line.
@@ -33,6 +34,9 @@ class PlyValues {
     if (position_ < body_.size() && body_[position_] != '\n' && body_[position_] != '\r')
       fail("the line goes on behind the values of its element");
   }
+
+  /// Of the last value, in text.
+  std::size_t line() const { return line_ + 1; }
 
   /// The line or byte of the next value, or nothing where none is left.
   std::optional<std::string> place_of_next() {
@@ -50,7 +54,7 @@ class PlyValues {
   }
 
   [[noreturn]] void fail(const std::string& what) const {
-    if (format_ == MeshFormat::ply_text) throw InputError(name_ + ":" + std::to_string(line_ + 1) + ": " + what);
+    if (format_ == MeshFormat::ply_text) throw InputError(name_ + ":" + std::to_string(line()) + ": " + what);
     throw InputError(name_ + ": byte " + std::to_string(offset_ + position_) + ": " + what);
   }
 
@@ -70,7 +74,7 @@ class PlyValues {
     if (end == position_) fail("the file ends within its elements");
     const std::string_view word = body_.substr(position_, end - position_);
     double value = 0;
-    if (!parse_number(word, value)) fail("'" + std::string(word.substr(0, 40)) + "' is not a finite number");
+    if (!parse_any_number(word, value)) fail(quoted(word) + " is not a number");
     position_ = end;
     return value;
   }

@@ -30,11 +30,9 @@ bool are_fractions(std::span<const Triple> triples) {
       triples, [](const Triple& t) { return std::ranges::all_of(t, [](double v) { return v >= 0 && v <= 1; }); });
 }
 
-bool are_normals(std::span<const Triple> triples) {
-  return std::ranges::all_of(triples, [](const Triple& t) {
-    const double length = std::hypot(t[0], t[1], t[2]);
-    return length == 0 || std::fabs(length - 1) < 0.01;
-  });
+Triple unpacked(double value) {
+  const auto bits = static_cast<std::uint32_t>(value);
+  return {static_cast<double>(bits >> 16 & 255), static_cast<double>(bits >> 8 & 255), static_cast<double>(bits & 255)};
 }
 
 std::uint8_t byte_of(double value) {
@@ -98,50 +96,42 @@ std::vector<PointField> usual_fields(std::size_t columns, bool weights) {
   using enum PointField;
   std::vector<PointField> fields{x, y, z};
   const std::size_t others = columns - (weights ? 1 : 0);
-  switch (others) {
-    case 0:
-    case 1:
-    case 2:
-      fields.resize(others);
-      break;
-    case 4:
-      fields.push_back(intensity);
-      break;
-    case 6:
-      fields.insert(fields.end(), 3, triple);
-      break;
-    case 7:
-      fields.push_back(intensity);
-      fields.insert(fields.end(), 3, triple);
-      break;
-    case 9:
-      fields.insert(fields.end(), 3, triple);
-      fields.insert(fields.end(), 3, triple2);
-      break;
-    default:
-      fields.resize(others, other);
-  }
+  fields.resize(others, others > 3 && are_usual(others - 3) ? unnamed : other);
   if (weights) fields.push_back(weight);
   return fields;
 }
 
-PointColumns::PointColumns(std::vector<PointField> fields, ColorScale scale)
-    : fields_(std::move(fields)), scale_(scale) {
+void NotFinite::add(const NotFinite& other) {
+  if (count_ == 0 || (other.count_ > 0 && other.first_.number < first_.number)) first_ = other.first_;
+  count_ += other.count_;
+}
+
+void NotFinite::warn(const std::string& what, PointReport& report) const {
+  if (count_ == 0) return;
+  report.warnings.push_back(std::to_string(count_) + " numbers of " + what +
+                            " are not finite or too large, the first at " + first_.unit + " " +
+                            std::to_string(first_.number) + ": taken for 0");
+}
+
+PointColumns::PointColumns(std::vector<PointField> fields, ColorScale scale, bool weights)
+    : fields_(std::move(fields)), scale_(scale), not_finite_(fields_.size()) {
   // Parts of triples say nothing; of columns of one name the first counts.
-  const auto drop = [&](std::initializer_list<PointField> list) {
-    for (PointField& f : fields_) {
-      if (std::ranges::find(list, f) != list.end()) f = PointField::other;
-    }
-  };
   using enum PointField;
+  if (!weights) drop({weight});
   if (!has(nx) || !has(ny) || !has(nz)) drop({nx, ny, nz});
   if (!has(red) || !has(green) || !has(blue)) drop({red, green, blue, alpha});
   if (has(red)) drop({packed});
   for (std::size_t i = 0; i < fields_.size(); ++i) {
-    if (fields_[i] == triple || fields_[i] == triple2) continue;
+    if (fields_[i] == unnamed) continue;
     if (std::find(fields_.begin(), fields_.begin() + static_cast<std::ptrdiff_t>(i), fields_[i]) !=
         fields_.begin() + static_cast<std::ptrdiff_t>(i))
       fields_[i] = other;
+  }
+}
+
+void PointColumns::drop(std::initializer_list<PointField> list) {
+  for (PointField& f : fields_) {
+    if (std::ranges::find(list, f) != list.end()) f = PointField::other;
   }
 }
 
@@ -149,22 +139,18 @@ bool PointColumns::has(PointField field) const {
   return std::ranges::find(fields_, field) != fields_.end();
 }
 
-void PointColumns::add(std::span<const double> row) {
+void PointColumns::add(std::span<const double> row, const PointPlace& place) {
   using enum PointField;
   Point3 point;
   Triple normal{};
   Triple color{};
-  std::array<Triple, 2> triples{};
-  std::array<std::size_t, 2> filled{};
   double opacity = 255;
   for (std::size_t i = 0; i < fields_.size(); ++i) {
-    double value = row[i];
     const PointField field = fields_[i];
     if (field == other) continue;
-    if (!std::isfinite(value)) {
-      ++not_finite_;
-      value = 0;
-    }
+    const bool fits = field == packed ? row[i] >= 0 && row[i] <= 0xFFFFFFFFU : std::isfinite(row[i]);
+    if (!fits) not_finite_[i].note(place);
+    const double value = fits ? row[i] : 0;
     if (field <= z) {
       point[static_cast<std::size_t>(field)] = value;
     } else if (field <= nz) {
@@ -174,44 +160,72 @@ void PointColumns::add(std::span<const double> row) {
     } else if (field == alpha) {
       opacity = value;
     } else if (field == packed) {
-      const bool fits = value >= 0 && value <= 0xFFFFFFFFU;
-      if (!fits) ++not_finite_;
-      const auto bits = fits ? static_cast<std::uint32_t>(value) : 0U;
-      color = {static_cast<double>(bits >> 16 & 255), static_cast<double>(bits >> 8 & 255),
-               static_cast<double>(bits & 255)};
+      color = unpacked(value);
     } else if (field == intensity) {
       intensities_.push_back(value);
     } else if (field == weight) {
       weights_.push_back(value);
     } else {
-      const std::size_t which = field == triple ? 0 : 1;
-      triples[which][filled[which]++] = value;
+      unnamed_.push_back(row[i]);
     }
   }
   points_.push_back(point);
-  if (has(nx)) normals_.push_back(normal);
+  if (has(nx)) normals_.push_back({normal[0], normal[1], normal[2]});
   if (has(red) || has(packed)) colors_.push_back(color);
   if (has(alpha)) alphas_.push_back(opacity);
-  for (std::size_t which = 0; which < 2; ++which) {
-    if (filled[which] == 3) triples_[which].push_back(triples[which]);
+}
+
+void PointColumns::tell_unnamed(PointReport& report) {
+  const auto columns = static_cast<std::size_t>(std::ranges::count(fields_, PointField::unnamed));
+  if (columns == 0) return;
+  const auto before = static_cast<std::size_t>(std::ranges::find(fields_, PointField::unnamed) - fields_.begin());
+  const UsualColumns told = usual_columns(unnamed_, columns);
+  if (!told.instead.empty() && !(report.format == PointFormat::pts && told.parts[0].size() == 1)) {
+    report.warnings.push_back("columns without names are taken for " + described(told.parts, before) +
+                              ", but could be " + described(told.instead, before) + "; names in the first line tell");
+  }
+  for (const ColumnPart& part : told.parts) {
+    take_part(part, before, columns);
+    if (part.kind == ColumnPart::Kind::unknown) {
+      report.warnings.push_back("columns " + std::to_string(before + part.first + 1) + " to " +
+                                std::to_string(before + part.first + 3) +
+                                " are neither colours from 0 to 255 nor normals of length 1: not kept");
+    }
+  }
+  unnamed_ = {};
+}
+
+/// Of the columns without names, `before` which others stand.
+void PointColumns::take_part(const ColumnPart& part, std::size_t before, std::size_t columns) {
+  using enum PointField;
+  static constexpr PointField fields[][3] = {{intensity}, {red, green, blue}, {nx, ny, nz}, {other, other, other}};
+  std::copy_n(fields[static_cast<std::size_t>(part.kind)], part.size(),
+              fields_.begin() + static_cast<std::ptrdiff_t>(before + part.first));
+  for (std::size_t row = part.first; row < unnamed_.size(); row += columns) {
+    const auto value = [&](std::size_t k) { return std::isfinite(unnamed_[row + k]) ? unnamed_[row + k] : 0; };
+    if (part.kind == ColumnPart::Kind::intensity) {
+      intensities_.push_back(value(0));
+    } else if (part.kind == ColumnPart::Kind::colors) {
+      colors_.push_back({value(0), value(1), value(2)});
+    } else if (part.kind == ColumnPart::Kind::normals) {
+      normals_.push_back({value(0), value(1), value(2)});
+    }
   }
 }
 
-void PointColumns::finish_normals(const std::vector<Triple>& triples, PointFile& file) {
-  for (const Triple& t : triples) file.normals.push_back({t[0], t[1], t[2]});
-}
-
-void PointColumns::finish_colors(const std::vector<Triple>& triples, PointFile& file) {
-  const bool bytes = are_bytes(triples);
-  const bool fractions = !(bytes && scale_ == ColorScale::bytes) && are_fractions(triples);
+void PointColumns::finish_colors(PointFile& file) {
+  const bool bytes = are_bytes(colors_);
+  const bool fractions = !(bytes && scale_ == ColorScale::bytes) && are_fractions(colors_);
   if (!bytes && !fractions) {
     file.report.warnings.emplace_back("colours beyond 0 to 255 are not kept");
+    using enum PointField;
+    drop({red, green, blue, alpha, packed});
     return;
   }
   const double scale = fractions ? 255 : 1;
   bool is_rounded = false;
-  for (std::size_t i = 0; i < triples.size(); ++i) {
-    const Triple& t = triples[i];
+  for (std::size_t i = 0; i < colors_.size(); ++i) {
+    const Triple& t = colors_[i];
     Color color{byte_of(t[0] * scale), byte_of(t[1] * scale), byte_of(t[2] * scale)};
     if (i < alphas_.size()) color.a = byte_of(alphas_[i] * scale);
     is_rounded = is_rounded || color.r / scale != t[0] || color.g / scale != t[1] || color.b / scale != t[2];
@@ -220,35 +234,23 @@ void PointColumns::finish_colors(const std::vector<Triple>& triples, PointFile& 
   if (is_rounded) file.report.warnings.emplace_back("colours given as fractions are rounded to 256 steps");
 }
 
-void PointColumns::finish_triples(std::vector<Triple>& triples, const char* where, PointFile& file) {
-  if (triples.empty()) return;
-  const bool has_color = std::ranges::any_of(
-      triples, [](const Triple& t) { return std::ranges::any_of(t, [](double v) { return v > 1; }); });
-  if (are_bytes(triples) && has_color && file.colors.empty()) {
-    finish_colors(triples, file);
-  } else if (are_normals(triples) && file.normals.empty()) {
-    finish_normals(triples, file);
-  } else {
-    file.report.warnings.push_back(std::string("three columns ") + where +
-                                   " are neither colours from 0 to 255 nor normals of length 1: not kept");
+void PointColumns::warn_not_finite(PointReport& report) const {
+  NotFinite all;
+  for (std::size_t i = 0; i < fields_.size(); ++i) {
+    if (fields_[i] != PointField::other) all.add(not_finite_[i]);
   }
-  triples.clear();
+  all.warn("normals, colours or intensities", report);
 }
 
 void PointColumns::finish(PointFile& file) {
+  tell_unnamed(file.report);
   file.dimension = dimension();
   file.points = std::move(points_);
   file.intensities = std::move(intensities_);
   file.weights = std::move(weights_);
-  finish_normals(normals_, file);
-  if (!colors_.empty()) finish_colors(colors_, file);
-  finish_triples(triples_[0], "behind the coordinates", file);
-  finish_triples(triples_[1], "at the end", file);
-  if (not_finite_ > 0) {
-    file.report.warnings.push_back(
-        std::to_string(not_finite_) +
-        " numbers of normals, colours or intensities are not finite or too large: taken for 0");
-  }
+  file.normals = std::move(normals_);
+  if (!colors_.empty()) finish_colors(file);
+  warn_not_finite(file.report);
 }
 
 }  // namespace quoin::io

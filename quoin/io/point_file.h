@@ -51,10 +51,12 @@ struct PointFile {
 ///
 /// Coordinates are the nearest doubles of the file's decimals, or just its binary numbers. Further columns are kept
 /// where they are normals, colours or intensities, by their names or by what they hold (docs/formats.md); what is not
-/// kept is a warning. Duplicates stay. O(file size); no allocation is larger than a multiple of the file.
+/// kept is a warning, and so is what is 0 there because it is not finite in the file. Duplicates stay. O(file size); no
+/// allocation is larger than a multiple of the file.
 /// @throws FileError   the file cannot be opened or read, or is a directory
-/// @throws InputError  the content is refused: no points, lines of different numbers of columns, what is not finite,
-///                     counts that do not fit, an early end; names the file and the line (text) or byte (binary)
+/// @throws InputError  the content is refused: no points, lines of different numbers of columns, coordinates or weights
+///                     that are not finite, words that are no numbers, counts that do not fit, an early end; names the
+///                     file and the line (text) or byte (binary)
 /// @throws Cancelled
 PointFile read_points(const std::filesystem::path& path, const PointReadOptions& options, const Context& context);
 

@@ -280,8 +280,9 @@ std::vector<std::pair<std::string, std::string>> samples() {
   return {{"a.xyz", "1 2 3 0 0 1\n4 5 6 0.6 -0.8 0\n"},
           {"b.csv", "x,\"y\",z,r,g,b\n1,2,\"3\",4,5,6\n4,5,6,7,8,9\n"},
           {"c.pts", "2\n1 2 3 -5 255 254 253\n4 5 6 9 1 2 3\n"},
+          {"c.xyz", "1 2 3 255 254 253 -5 0 nan 1\n4 5 6 9 1 2 inf 0 1 0\n"},
           {"d.ply", binary_ply()},
-          {"e.obj", "v 1 2 3 1 0.5 0\nv 4 5 6 0 0 0\nf 1 2 1\n"},
+          {"e.obj", "v 1 2 3 1 0.5 0\nv 4 5 6 0 0 0\nvn 0 nan 1\nvn 0 0 -inf\nf 1 2 1\n"},
           {"f.off", "COFF\n2 1 0\n1 2 3 255 0 0\n4 5 6 0 1 0\n2 0 1\n"},
           {"g.pcd", pcd_text()},
           {"h.pcd", testing::pcd_binary(few)},
@@ -293,6 +294,8 @@ void attempt(const std::string& bytes, const std::string& name) {
     const PointFile file = read(bytes, name);
     EXPECT_FALSE(file.points.empty());
     for (const Point3& p : file.points) EXPECT_TRUE(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z));
+    for (const Vector3& n : file.normals) EXPECT_TRUE(std::isfinite(n.x) && std::isfinite(n.y) && std::isfinite(n.z));
+    for (const double i : file.intensities) EXPECT_TRUE(std::isfinite(i));
     for (const std::size_t size : {file.normals.size(), file.colors.size(), file.intensities.size()})
       EXPECT_TRUE(size == 0 || size == file.points.size());
   } catch (const InputError& error) {

@@ -2,6 +2,8 @@
 //
 // Vertices of OBJ and OFF; what joins them to faces is passed over.
 #include <algorithm>
+#include <cmath>
+#include <span>
 
 #include "quoin/base/error.h"
 #include "quoin/io/point_columns.h"
@@ -33,13 +35,28 @@ std::vector<PointField> fields_of_obj(std::size_t numbers, bool weights) {
   return with_colors(std::move(fields), numbers - 3);
 }
 
+/// Takes a point from the words of the line behind the first `before`.
+void read_row(const TextLines& lines, std::size_t before, PointColumns& columns, std::span<double> row) {
+  for (std::size_t k = 0; k < row.size(); ++k) {
+    const std::string_view word = lines.words()[before + k];
+    row[k] = PointColumns::is_needed(columns.fields()[k]) ? lines.number(word) : lines.any_number(word);
+  }
+  columns.add(row, {"line", lines.line()});
+}
+
 /// Normals of OBJ, which belong to the vertices in the same places where faces do not say otherwise.
 class ObjNormals {
  public:
   void add(const TextLines& lines) {
     const auto& words = lines.words();
     if (words.size() != 4) lines.fail("a normal should have three coordinates");
-    normals_.push_back({lines.number(words[1]), lines.number(words[2]), lines.number(words[3])});
+    const auto part = [&](std::size_t k) {
+      const double value = lines.any_number(words[k]);
+      if (std::isfinite(value)) return value;
+      not_finite_.note({"line", lines.line()});
+      return 0.0;
+    };
+    normals_.push_back({part(1), part(2), part(3)});
   }
   /// A corner of a face, as 7/2/7.
   void meet(std::string_view corner) {
@@ -53,6 +70,7 @@ class ObjNormals {
     if (normals_.empty()) return;
     if (are_in_order_ && normals_.size() == file.points.size()) {
       file.normals = std::move(normals_);
+      not_finite_.warn("normals", file.report);
     } else {
       file.report.warnings.emplace_back("normals are not kept: they are not those of the vertices in the same places");
     }
@@ -60,6 +78,7 @@ class ObjNormals {
 
  private:
   std::vector<Vector3> normals_;
+  NotFinite not_finite_;
   bool are_in_order_ = true;
 };
 
@@ -93,16 +112,15 @@ PointFile read_point_obj(std::string_view bytes, const std::string& name, bool w
     if (numbers == 5 || numbers > 7) lines.fail("a vertex of " + std::to_string(numbers) + " words");
     if (!columns) {
       if (weights && numbers != 4) lines.fail("the vertex has no weight");
-      columns.emplace(fields_of_obj(numbers, weights), ColorScale::unknown);
+      columns.emplace(fields_of_obj(numbers, weights), ColorScale::unknown, weights);
       row.resize(numbers);
     }
     if (numbers != row.size()) {
       lines.fail("a vertex of " + std::to_string(numbers) + " numbers, where the first has " +
                  std::to_string(row.size()));
     }
-    for (std::size_t k = 0; k < numbers; ++k) row[k] = lines.number(words[k + 1]);
+    read_row(lines, 1, *columns, row);
     has_weights = has_weights || (numbers == 4 && row[3] != 1);
-    columns->add(row);
   }
   if (columns) columns->finish(file);
   normals.finish(file);
@@ -174,7 +192,7 @@ class OffPoints {
     has_extra_ = fields.size() < numbers;
     if (fields.size() > numbers) lines_.fail("the vertex has fewer numbers than its kind of OFF asks for");
     fields.resize(numbers, other);
-    columns_.emplace(std::move(fields), ColorScale::unknown);
+    columns_.emplace(std::move(fields), ColorScale::unknown, weights_);
     row_.resize(numbers);
   }
 
@@ -188,8 +206,7 @@ class OffPoints {
       lines_.fail("vertex " + std::to_string(i) + " has " + std::to_string(words.size()) +
                   " numbers, where the first has " + std::to_string(row_.size()));
     }
-    for (std::size_t k = 0; k < row_.size(); ++k) row_[k] = lines_.number(words[k]);
-    columns_->add(row_);
+    read_row(lines_, 0, *columns_, row_);
   }
 
   std::size_t size_;

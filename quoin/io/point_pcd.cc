@@ -74,7 +74,7 @@ class PcdReader {
       if (f.size == 4 && f.count == 1 && (f.name == "rgb" || f.name == "rgba")) kind = PointField::packed;
       kinds.push_back(kind);
     }
-    columns_.emplace(kinds, ColorScale::bytes);
+    columns_.emplace(kinds, ColorScale::bytes, weights);
     if (!columns_->has(PointField::x)) fail_header("the points have no x");
     if (!columns_->has(PointField::y)) fail_header("the points have no y");
     if (weights && !columns_->has(PointField::weight)) fail_header("the points have no w or weight");
@@ -90,13 +90,14 @@ class PcdReader {
     return columns_->fields()[i] == PointField::packed && layout_.fields[i].type == 'F';
   }
 
-  /// Of a number that carries a colour in its bits.
+  /// Of a number that carries a colour in its bits. One that is no float carries none.
   static double bits_of(double value) {
+    if (!(std::fabs(value) <= std::numeric_limits<float>::max())) return std::numeric_limits<double>::quiet_NaN();
     return static_cast<double>(std::bit_cast<std::uint32_t>(static_cast<float>(value)));
   }
 
   template <class Fail>
-  void add_row(const Fail& fail) {
+  void add_row(const PointPlace& place, const Fail& fail) {
     bool is_missing = false;
     for (std::size_t i = 0; i < row_.size(); ++i) {
       if (!PointColumns::is_needed(columns_->fields()[i]) || std::isfinite(row_[i])) continue;
@@ -106,15 +107,17 @@ class PcdReader {
     if (is_missing) {
       ++file_.report.missing;
     } else {
-      columns_->add(row_);
+      columns_->add(row_, place);
     }
   }
 
-  double text_value(const TextLines& lines, std::string_view word) const {
-    double value = 0;
-    if (is_word(word, "nan") || is_word(word, "-nan")) return std::numeric_limits<double>::quiet_NaN();
-    if (!parse_number(word, value)) lines.fail(quoted(word) + " is not a finite number");
-    return value;
+  /// A coordinate may be NaN, where a point is missing.
+  double text_value(const TextLines& lines, std::size_t f, std::size_t word) const {
+    const double value = lines.any_number(lines.words()[word]);
+    if (PointColumns::is_needed(columns_->fields()[f]) && std::isinf(value)) {
+      lines.fail(quoted(lines.words()[word]) + " in column " + std::to_string(word + 1) + " is not finite");
+    }
+    return is_packed_float(f) ? bits_of(value) : value;
   }
 
   void read_text() {
@@ -130,11 +133,10 @@ class PcdReader {
       }
       std::size_t at = 0;
       for (std::size_t f = 0; f < row_.size(); ++f) {
-        row_[f] = text_value(lines, words[at]);
-        if (is_packed_float(f)) row_[f] = bits_of(row_[f]);
+        row_[f] = text_value(lines, f, at);
         at += layout_.fields[f].count;
       }
-      add_row([&](const std::string& what) { lines.fail(what); });
+      add_row({"line", lines.line()}, [&](const std::string& what) { lines.fail(what); });
     }
     if (lines.next())
       file_.report.warnings.push_back("line " + std::to_string(lines.line()) +
@@ -162,7 +164,7 @@ class PcdReader {
         row_[f] = value_at(f, body.data() + at);
         at += layout_.fields[f].bytes();
       }
-      add_row([&](const std::string& what) {
+      add_row({"point", i}, [&](const std::string& what) {
         fail_byte(layout_.size + begin, "point " + std::to_string(i) + ": " + what);
       });
     }
@@ -199,7 +201,8 @@ class PcdReader {
         row_[f] = value_at(f, body->data() + column + i * layout_.fields[f].bytes());
         column += layout_.points * layout_.fields[f].bytes();
       }
-      add_row([&](const std::string& what) { fail_byte(begin, "point " + std::to_string(i) + ": " + what); });
+      add_row({"point", i},
+              [&](const std::string& what) { fail_byte(begin, "point " + std::to_string(i) + ": " + what); });
     }
     warn_behind(begin + packed_size);
   }

@@ -60,7 +60,7 @@ class PlyPoints {
   }
 
   void read_vertices(const PlyElement& element) {
-    PointColumns columns(fields_of(element), scale_of(element));
+    PointColumns columns(fields_of(element), scale_of(element), weights_);
     if (!columns.has(PointField::x)) fail_header("the vertices have no x");
     if (!columns.has(PointField::y)) fail_header("the vertices have no y");
     if (weights_ && !columns.has(PointField::weight)) fail_header("the vertices have no w or weight");
@@ -73,7 +73,7 @@ class PlyPoints {
           values_.fail("vertex " + std::to_string(i) + " has a '" + element.properties[p].name +
                        "' that is not finite");
       });
-      columns.add(row);
+      columns.add(row, layout_.is_text() ? PointPlace{"line", values_.line()} : PointPlace{"vertex", i});
     }
     for (std::size_t p = 0; p < element.properties.size(); ++p) {
       if (columns.fields()[p] == PointField::other)

@@ -99,7 +99,7 @@ class TableReader {
       kinds = usual_fields(fields_.size(), weights_);
       if (fields_.size() < (weights_ ? 3U : 2U)) fail_first();
     }
-    columns_.emplace(std::move(kinds), ColorScale::unknown);
+    columns_.emplace(std::move(kinds), ColorScale::unknown, weights_);
     if (weights_ && !columns_->has(PointField::weight)) lines_.fail("there is no column of weights (w or weight)");
     has_header_ = has_header;
     warn(names, has_names);
@@ -134,17 +134,19 @@ class TableReader {
     for (std::size_t i = 0; i < row_.size(); ++i) {
       // Under names other columns may hold anything.
       if (has_header_ && columns_->fields()[i] == PointField::other) continue;
-      if (!parse_number(fields_[i], row_[i])) fail_number(i);
+      const bool is_needed = PointColumns::is_needed(columns_->fields()[i]);
+      if (!(is_needed ? parse_number : parse_any_number)(fields_[i], row_[i])) fail_number(i, is_needed);
     }
-    columns_->add(row_);
+    columns_->add(row_, {"line", lines_.number()});
     if (is_counted_) --left_;
   }
 
-  [[noreturn]] void fail_number(std::size_t column) const {
+  [[noreturn]] void fail_number(std::size_t column, bool is_needed) const {
     const std::string place = "column " + std::to_string(column + 1);
     if (fields_[column].empty()) lines_.fail(place + " is empty");
     const bool is_first = columns_->size() == 0 && !has_header_;
-    lines_.fail(quoted(fields_[column]) + " in " + place + " is not a finite number" +
+    lines_.fail(quoted(fields_[column]) + " in " + place +
+                (is_needed ? " is not a finite number" : " is not a number") +
                 (is_first ? ", nor are there columns named x and y" : ""));
   }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 namespace quoin::io {
 
@@ -57,14 +58,19 @@ bool is_too_small(std::string_view word) {
 }  // namespace
 
 bool parse_number(std::string_view word, double& value) {
+  return parse_any_number(word, value) && std::isfinite(value);
+}
+
+bool parse_any_number(std::string_view word, double& value) {
   if (word.starts_with('+')) word.remove_prefix(1);
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (end != word.data() + word.size()) return false;
   if (error == std::errc::result_out_of_range) {  // too small is nearest to zero, too large is no double
-    value = 0;
-    return is_too_small(word);
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    value = is_too_small(word) ? 0 : word.starts_with('-') ? -infinity : infinity;
+    return true;
   }
-  return error == std::errc() && std::isfinite(value);
+  return error == std::errc();
 }
 
 std::string_view TextLines::take_line() {
@@ -112,6 +118,12 @@ void TextLines::need(std::string_view expected) {
 double TextLines::number(std::string_view word) const {
   double value = 0;
   if (!parse_number(word, value)) fail(quoted(word) + " is not a finite number");
+  return value;
+}
+
+double TextLines::any_number(std::string_view word) const {
+  double value = 0;
+  if (!parse_any_number(word, value)) fail(quoted(word) + " is not a number");
   return value;
 }
 

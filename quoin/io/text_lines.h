@@ -39,6 +39,8 @@ class TextLines {
     throw LineError(name_ + ":" + std::to_string(line) + ": " + std::string(what));
   }
   double number(std::string_view word) const;
+  /// Perhaps not finite.
+  double any_number(std::string_view word) const;
   std::int64_t integer(std::string_view word) const;
 
  private:
@@ -56,6 +58,10 @@ class TextLines {
 
 /// A finite double from the whole word, else false. Accepts a leading plus sign.
 bool parse_number(std::string_view word, double& value);
+
+/// The same, but also what is not finite: nan, inf, infinity in any case; what is beyond the largest double is
+/// infinite.
+bool parse_any_number(std::string_view word, double& value);
 
 /// The first word of a text, behind a byte order mark.
 std::string_view first_word(std::string_view text);
