@@ -41,6 +41,9 @@ void check(const PointFile& file, const Context& context) {
   require(!file.points.empty(), "there are points");
   for (const Point3& p : file.points)
     require(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z), "points are finite");
+  for (const Vector3& n : file.normals)
+    require(std::isfinite(n.x) && std::isfinite(n.y) && std::isfinite(n.z), "normals are finite");
+  for (const double i : file.intensities) require(std::isfinite(i), "intensities are finite");
   require(fits(file, file.normals.size()) && fits(file, file.colors.size()) && fits(file, file.intensities.size()) &&
               fits(file, file.weights.size()),
           "each point has its normal, colour, intensity and weight, or none has");
