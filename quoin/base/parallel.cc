@@ -10,6 +10,9 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <stdexcept>
+#include <string_view>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -69,14 +72,27 @@ bool inside_arena() {
   return oneapi::tbb::this_task_arena::current_thread_index() != oneapi::tbb::task_arena::not_initialized;
 }
 
+/// Says of TBB, which ends as a whole where it cannot start a thread, what a thread of the language says.
+template <class Work>
+void with_threads(const Work& work) {
+  try {
+    work();
+  } catch (const std::runtime_error& error) {
+    if (!std::string_view(error.what()).starts_with("pthread_create")) throw;
+    throw std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again), "cannot start a thread");
+  }
+}
+
 template <class Work>
 void in_arena(const Context& context, const Work& work) {
   if (inside_arena() && static_cast<unsigned>(oneapi::tbb::this_task_arena::max_concurrency()) == context.threads()) {
     work();
     return;
   }
-  oneapi::tbb::task_arena arena(static_cast<int>(context.threads()));
-  arena.execute(work);
+  with_threads([&] {
+    oneapi::tbb::task_arena arena(static_cast<int>(context.threads()));
+    arena.execute(work);
+  });
 }
 
 template <class Run>

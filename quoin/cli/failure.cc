@@ -3,6 +3,7 @@
 
 #include <exception>
 #include <new>
+#include <system_error>
 
 #include "quoin/cli/interruption.h"
 #include "quoin/cli/memory_watch.h"
@@ -23,6 +24,10 @@ Failure current_failure() {
     return {error.what(), exit_file};
   } catch (const std::bad_alloc&) {
     return {"out of memory", exit_refused};
+  } catch (const std::system_error& error) {
+    if (error.code() != std::errc::resource_unavailable_try_again) return {error.what(), exit_refused};
+    return {"cannot start a thread: " + error.code().message() + "; there is too little memory or too many threads",
+            exit_refused};
   } catch (const std::exception& error) {
     return {error.what(), exit_refused};
   }

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <chrono>
 #include <csignal>
+#include <system_error>
 
 #include "quoin/cli/memory.h"
 
@@ -49,7 +50,11 @@ MemoryWatch::MemoryWatch(Context& context, std::optional<double> megabytes) : is
     most_ -= most_ / 32;
   }
   const SignalsElsewhere elsewhere;
-  thread_ = std::thread([this, &context, begun_with = *begun_with] { run(context, begun_with); });
+  try {
+    thread_ = std::thread([this, &context, begun_with = *begun_with] { run(context, begun_with); });
+  } catch (const std::system_error&) {
+    if (is_asked_for_) throw;  // else an allocation fails where memory ends
+  }
 }
 
 MemoryWatch::~MemoryWatch() {

@@ -13,10 +13,12 @@
 namespace quoin::cli {
 
 /// Cancels a run that takes more memory than it may: more than `megabytes` and an eighth, and 16 MB, since what is
-/// asked for is an estimate; without them, than there was, swap space included. Looks a hundred times a second.
+/// asked for is an estimate; without them, than there was, swap space included. Looks a hundred times a second. Where
+/// no thread can be started, nobody looks.
 class MemoryWatch {
  public:
   /// The context must outlive the watch.
+  /// @throws std::system_error  no thread can be started, and `megabytes` are asked for
   MemoryWatch(Context& context, std::optional<double> megabytes);
   ~MemoryWatch();
   MemoryWatch(const MemoryWatch&) = delete;

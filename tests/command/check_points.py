@@ -6,6 +6,7 @@
 import itertools
 import os
 import random
+import resource
 import signal
 import struct
 import subprocess
@@ -216,6 +217,53 @@ class Formats(CommandTest):
         code, needed = self.most_memory("delaunay", "skew.xyz", "--memory", "2000")
         self.assertEqual(code, DONE)
         self.assertLess(most, needed * 3 // 4)
+
+    def run_within(self, limits, *words):
+        """The finished process under these limits of the system, or None where it cannot even begin under them."""
+        def set_limits():
+            for kind, value in limits:
+                resource.setrlimit(kind, (value, resource.getrlimit(kind)[1]))
+        def run(*words):
+            return subprocess.run([self.quoin, *words], cwd=self.folder, capture_output=True, text=True, timeout=120,
+                                  preexec_fn=set_limits)
+        try:
+            return run(*words) if run("--version").returncode == DONE else None
+        except subprocess.SubprocessError:
+            return None
+
+    def test_no_thread_for_the_watch(self):
+        self.write("few.xyz", text_of(CUBE))
+        limits = [(resource.RLIMIT_STACK, 1 << 47)]  # what a thread's stack has then is beyond all addresses
+        done = self.run_within(limits, "delaunay", "few.xyz")
+        if done is None:
+            self.skipTest("no such limits here")
+        self.assertEqual((done.returncode, done.stderr), (DONE, ""))
+        self.assertEqual(done.stdout, self.run_quoin("delaunay", "few.xyz").stdout)
+        done = self.run_within(limits, "delaunay", "few.xyz", "--memory", "100")
+        self.assertEqual((done.returncode, done.stdout), (REFUSED, ""))
+        self.assertRegex(done.stderr, "^quoin: cannot start a thread: Resource temporarily unavailable; there is too "
+                         "little memory or too many threads\n$")
+
+    def test_little_memory(self):
+        def within(megabytes, *words):
+            return self.run_within([(resource.RLIMIT_AS, megabytes << 20)], *words)
+        too_few, enough = 1, 2048
+        if within(enough, "--version") is None:
+            self.skipTest("no such limits here")
+        while too_few + 1 < enough:  # to begin at all
+            middle = (too_few + enough) // 2
+            too_few, enough = (middle, enough) if within(middle, "--version") is None else (too_few, middle)
+        self.write("many.xyz", text_of(cloud(20000, 3)))
+        codes = []
+        for megabytes in [*range(enough, enough + 30, 2), 2048]:
+            done = within(megabytes, "delaunay", "many.xyz", "--threads", "4")
+            codes.append(done.returncode)
+            if done.returncode == DONE:
+                continue
+            self.assertEqual(done.returncode, REFUSED, f"{megabytes} MB: {done.stderr}")
+            self.assertRegex(done.stderr, "(?m)^quoin: (out of memory|cannot start a thread: .*|too little memory .*|"
+                             "20000 points need about .*)$", f"{megabytes} MB")
+        self.assertEqual((codes[0], codes[-1]), (REFUSED, DONE))
 
     def test_interruption(self):
         self.write("large.xyz", text_of(cloud(200000, 3)))
