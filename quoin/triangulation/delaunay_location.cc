@@ -1,17 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "quoin/triangulation/delaunay_location.h"
 
+#include <algorithm>
 #include <cmath>
-
-#include "quoin/base/error.h"
+#include <span>
 
 namespace quoin {
+
+DelaunayLocator::DelaunayLocator(const TriangulationView3& triangulation)
+    : triangulation_(triangulation), stars_(triangulation) {
+  if (triangulation.dimension() < 3) flat_.emplace(triangulation);
+}
 
 DelaunayLocation DelaunayLocator::locate(const Point3& p, std::uint32_t start) const {
   require_finite(p);
   const TriangulationView3& t = triangulation_;
-  if (t.dimension() < 3) throw InputError("points are located in triangulations of dimension 3 only");
-  return walk_to(p, t.cells(), start < t.cells().size() ? start : 0, [&t](std::uint32_t v) { return t.point(v); });
+  if (t.dimension() < 2) return flat_->locate(p, 0);
+  const std::uint32_t first = start < t.cells().size() ? start : stars_.cell(sampled_near(p));
+  if (flat_) return flat_->locate(p, first);
+  return walk_to(p, t.cells(), first, [&t](std::uint32_t v) { return t.point(v); });
 }
 
 int DelaunayLocator::compare(const Point3& p, std::uint32_t v, std::uint32_t w) const {
@@ -19,8 +26,7 @@ int DelaunayLocator::compare(const Point3& p, std::uint32_t v, std::uint32_t w) 
   return compare_powers(p, t.point(v), t.weight(v), t.point(w), t.weight(w));
 }
 
-std::uint32_t DelaunayLocator::nearest(const Point3& p) const {
-  require_finite(p);
+std::uint32_t DelaunayLocator::sampled_near(const Point3& p) const {
   const auto count = static_cast<std::uint32_t>(triangulation_.vertex_count());
   // As many samples as steps are saved by them.
   const auto samples = static_cast<std::uint32_t>(std::cbrt(static_cast<double>(count))) + 1;
@@ -30,9 +36,32 @@ std::uint32_t DelaunayLocator::nearest(const Point3& p) const {
     const auto v = static_cast<std::uint32_t>(std::uint64_t{i} * count / samples);
     if (stars_.cell(v) != VertexStars::no_cell && compare(p, v, best) < 0) best = v;
   }
+  return best;
+}
+
+std::uint32_t DelaunayLocator::nearest(const Point3& p) const {
+  require_finite(p);
+  if (triangulation_.dimension() < 2) return nearest_on_line(p);
   return walk_to_least(
-      best, [&](std::uint32_t v, std::uint32_t w) { return compare(p, v, w); },
+      sampled_near(p), [&](std::uint32_t v, std::uint32_t w) { return compare(p, v, w); },
       [this](std::uint32_t v) { return stars_.neighbours(v); });
+}
+
+std::uint32_t DelaunayLocator::nearest_on_line(const Point3& p) const {
+  const std::span<const std::uint32_t> line = flat_->line();
+  // Distances, and powers, of vertices fall along it, stay and rise, as lifted points are convex: the next one is
+  // nearer up to one of the nearest, which follow each other.
+  std::size_t low = 0;
+  std::size_t high = line.size() - 1;
+  while (low < high) {
+    const std::size_t middle = (low + high) / 2;
+    const bool falls = compare(p, line[middle + 1], line[middle]) < 0;
+    (falls ? low : high) = falls ? middle + 1 : middle;
+  }
+  std::uint32_t smallest = line[low];
+  for (std::size_t i = low + 1; i < line.size() && compare(p, line[i], line[low]) == 0; ++i)
+    smallest = std::min(smallest, line[i]);
+  return smallest;
 }
 
 }  // namespace quoin

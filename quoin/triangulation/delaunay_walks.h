@@ -14,12 +14,15 @@
 
 namespace quoin {
 
-/// Where a point is in a triangulation of dimension 3.
+/// Where a point is in a triangulation of space, of any dimension: in a face of it, which may be a cell or, of a lower
+/// dimension, what takes the place of one; outside the convex hull of the vertices, but in the plane or on the line
+/// that they span; or off that, which of dimension 0 is any other point.
 struct DelaunayLocation {
-  enum class Kind { vertex, edge, facet, cell, outside };
+  enum class Kind { vertex, edge, facet, cell, outside, outside_affine_hull };
   Kind kind = Kind::outside;
-  std::uint32_t cell = 0;  ///< a cell of the face; outside, a ghost of a facet of the hull that sees the point
-  unsigned slots = 0;      ///< bit i: slot i of the cell is a vertex of the face
+  /// A cell of the face; outside, a ghost of a facet of the hull that sees the point; 0 outside the affine hull.
+  std::uint32_t cell = 0;
+  unsigned slots = 0;  ///< bit i: slot i of the cell is a vertex of the face, or of the facet of the hull
 };
 
 /// @throws InputError where a point that is looked for is not finite
@@ -31,27 +34,36 @@ int compare_distances(const Point3& p, const Point3& a, const Point3& b);
 /// Sign of (|p - a|^2 - weight_a) - (|p - b|^2 - weight_b), of power distances. Exact for all finite doubles.
 int compare_powers(const Point3& p, const Point3& a, double weight_a, const Point3& b, double weight_b);
 
-/// The smallest face that the point is in, by a walk from a cell of a triangulation of dimension 3, Delaunay or
-/// regular; it ends, since cells are in an acyclic order as seen from any point (Edelsbrunner 1990). `at(v)` is the
-/// point of a vertex.
-template <class At>
-DelaunayLocation walk_to(const Point3& p, std::span<const TriangulationCell> cells, std::uint32_t start, const At& at) {
-  const auto is_ghost = [&](std::uint32_t c) { return cells[c].vertices[3] == vertex_at_infinity; };
-  std::uint32_t here = is_ghost(start) ? cells[start].neighbours[3] >> 2 : start;
+/// The smallest face that a point is in, by a walk from a cell of a triangulation of dimension 2 or 3, Delaunay or
+/// regular; it ends, since cells are in an acyclic order as seen from any point (Edelsbrunner 1990). `side(cell, slot)`
+/// is the side of the facet opposite to the slot on which the point is, positive for that of the cell.
+template <class Side>
+DelaunayLocation walk_across(std::span<const TriangulationCell> cells, unsigned dimension, std::uint32_t start,
+                             const Side& side) {
+  const auto is_ghost = [&](std::uint32_t c) { return cells[c].vertices[dimension] == vertex_at_infinity; };
+  std::uint32_t here = is_ghost(start) ? cells[start].neighbours[dimension] >> 2 : start;
   for (;;) {
-    if (is_ghost(here)) return {DelaunayLocation::Kind::outside, here, 0x7};
-    const auto& v = cells[here].vertices;
+    if (is_ghost(here)) return {DelaunayLocation::Kind::outside, here, (1U << dimension) - 1};
     unsigned slots = 0;
     unsigned exit = 0;
-    for (; exit < 4; ++exit) {
-      const auto& [a, b, c] = facet_slots[exit];
-      const Sign side = orientation(at(v[a]), at(v[b]), at(v[c]), p);
-      if (side == Sign::negative) break;
-      if (side == Sign::positive) slots |= 1U << exit;
+    for (; exit <= dimension; ++exit) {
+      const Sign found = side(here, exit);
+      if (found == Sign::negative) break;
+      if (found == Sign::positive) slots |= 1U << exit;
     }
-    if (exit == 4) return {static_cast<DelaunayLocation::Kind>(std::popcount(slots) - 1), here, slots};
+    if (exit > dimension) return {static_cast<DelaunayLocation::Kind>(std::popcount(slots) - 1), here, slots};
     here = cells[here].neighbours[exit] >> 2;
   }
+}
+
+/// The same of dimension 3. `at(v)` is the point of a vertex.
+template <class At>
+DelaunayLocation walk_to(const Point3& p, std::span<const TriangulationCell> cells, std::uint32_t start, const At& at) {
+  return walk_across(cells, 3, start, [&](std::uint32_t cell, unsigned slot) {
+    const auto& v = cells[cell].vertices;
+    const auto& [a, b, c] = facet_slots[slot];
+    return orientation(at(v[a]), at(v[b]), at(v[c]), p);
+  });
 }
 
 /// The vertex of least distance or power, of equal ones the one of the smallest number, by a walk over edges from a

@@ -170,10 +170,7 @@ TEST(DelaunayLocator, FacesOfAllDimensions) {
     SCOPED_TRACE(cloud.name);
     const Delaunay3 t = triangulated(cloud.points);
     const DelaunayLocator locator(t);
-    if (t.dimension() < 3) {
-      EXPECT_THROW(locator.locate({0, 0, 0}), InputError);
-      continue;
-    }
+    if (t.dimension() < 3) continue;
     for (std::uint32_t v = 0; v < t.vertex_count(); ++v) {
       const DelaunayLocation found = locator.locate(t.point(v));
       ASSERT_EQ(found.kind, DelaunayLocation::Kind::vertex);
