@@ -21,6 +21,21 @@ RationalPoint3 meeting_point(const std::array<RationalPoint3, 3>& vectors, const
   return sum * (Rational(1) / (Rational(2) * dot(p, qr)));
 }
 
+/// Of one to three affinely independent points: the point of the same power of all in their affine hull.
+RationalPoint3 flat_power_centre(std::span<const Point3> points, std::span<const double> weights) {
+  const RationalPoint3 origin = exact_point(points[0]);
+  std::array<RationalPoint3, 3> vectors;
+  std::array<Rational, 3> lifts;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    vectors[i] = exact_point(points[i + 1]) - origin;
+    lifts[i] = dot(vectors[i], vectors[i]) - (Rational(weights[i + 1]) - Rational(weights[0]));
+  }
+  if (points.size() == 1) return origin;
+  if (points.size() == 2) return origin + vectors[0] * (lifts[0] / (Rational(2) * dot(vectors[0], vectors[0])));
+  vectors[2] = cross(vectors[0], vectors[1]);  // the plane through the origin across it
+  return origin + meeting_point(vectors, lifts);
+}
+
 }  // namespace
 
 RationalPoint3 circumcentre(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
@@ -40,15 +55,6 @@ RationalPoint3 power_centre(const std::array<Point3, 4>& points, const std::arra
   return origin + meeting_point(vectors, lifts);
 }
 
-Voronoi3::Voronoi3(const Delaunay3& triangulation) : Voronoi3(triangulation, nullptr) {}
-
-Voronoi3::Voronoi3(const Regular3& triangulation, const DeloneLabels& labels) : Voronoi3(triangulation, &labels) {}
-
-Voronoi3::Voronoi3(const TriangulationView3& triangulation, const DeloneLabels* labels)
-    : triangulation_(triangulation), stars_(triangulation), labels_(labels) {
-  if (triangulation.dimension() < 3) throw InputError("a Voronoi diagram of space of points that lie in a plane");
-}
-
 void Voronoi3::keep_corners(const Context& context) {
   std::vector<RationalPoint3> corners(triangulation_.cells().size());
   for (std::size_t c = 0; c < corners.size(); ++c) {
@@ -62,9 +68,15 @@ RationalPoint3 Voronoi3::corner(std::size_t cell) const {
   if (!corners_.empty()) return corners_[cell];
   const auto& v = triangulation_.cells()[cell].vertices;
   const TriangulationView3& t = triangulation_;
-  const std::array<Point3, 4> p{t.point(v[0]), t.point(v[1]), t.point(v[2]), t.point(v[3])};
-  if (!t.is_weighted()) return circumcentre(p[0], p[1], p[2], p[3]);
-  return power_centre(p, {t.weight(v[0]), t.weight(v[1]), t.weight(v[2]), t.weight(v[3])});
+  const auto size = static_cast<std::size_t>(dimension()) + 1;
+  std::array<Point3, 4> p;
+  std::array<double, 4> weights{};
+  for (std::size_t i = 0; i < size; ++i) {
+    p[i] = t.point(v[i]);
+    weights[i] = t.weight(v[i]);
+  }
+  if (size < 4) return flat_power_centre(std::span(p).first(size), std::span(weights).first(size));
+  return t.is_weighted() ? power_centre(p, weights) : circumcentre(p[0], p[1], p[2], p[3]);
 }
 
 // The corner at the other end of the Delone edge, of which this one of the triangulation is a part.
@@ -131,7 +143,16 @@ bool Voronoi3::is_ray(std::uint32_t vertex, std::uint32_t neighbour, std::uint32
 }
 
 std::vector<VoronoiFacet> Voronoi3::facets(std::uint32_t vertex) const {
-  if (!has_cell(vertex)) return {};
+  if (!has_cell(vertex) || dimension() == 0) return {};
+  std::vector<VoronoiFacet> all = dimension() == 3   ? facets_in_space(vertex)
+                                  : dimension() == 2 ? facets_across_plane(vertex)
+                                                     : facets_across_line(vertex);
+  for (VoronoiFacet& facet : all) facet.neighbour = end_of_edge(vertex, facet.neighbour);
+  std::ranges::sort(all, {}, &VoronoiFacet::neighbour);
+  return all;
+}
+
+std::vector<VoronoiFacet> Voronoi3::facets_in_space(std::uint32_t vertex) const {
   std::map<std::uint32_t, std::uint32_t> cell_of;  // by neighbour, some cell of the edge
   for (const std::uint32_t c : stars_.star(vertex)) {
     for (const std::uint32_t v : triangulation_.cells()[c].vertices) {
@@ -143,10 +164,37 @@ std::vector<VoronoiFacet> Voronoi3::facets(std::uint32_t vertex) const {
     VoronoiFacet next = facet(vertex, neighbour, cell);
     if (next.is_bounded ? next.corners.size() < 3 : next.corners.size() < 2 && is_ray(vertex, neighbour, cell))
       continue;
-    next.neighbour = end_of_edge(vertex, neighbour);
     all.push_back(std::move(next));
   }
-  std::ranges::sort(all, {}, &VoronoiFacet::neighbour);
+  return all;
+}
+
+std::vector<VoronoiFacet> Voronoi3::facets_across_plane(std::uint32_t vertex) const {
+  std::vector<VoronoiFacet> all;
+  for (const std::uint32_t c : stars_.star(vertex)) {
+    // About the vertex, the triangle is followed by that across the edge to its last vertex.
+    const TriangulationCell& cell = triangulation_.cells()[c];
+    const unsigned slot = slot_of(cell, vertex);
+    VoronoiFacet next{cell.vertices[(slot + 2) % 3], false, {}};
+    if (next.neighbour == vertex_at_infinity) continue;
+    for (const std::uint32_t side : {c, cell.neighbours[(slot + 1) % 3] >> 2}) {
+      if (triangulation_.is_ghost(side)) continue;
+      next.corners.push_back(corner(side));
+      next.cells.push_back(side);
+    }
+    if (next.corners.front() == next.corners.back() && next.corners.size() == 2) continue;
+    all.push_back(std::move(next));
+  }
+  return all;
+}
+
+std::vector<VoronoiFacet> Voronoi3::facets_across_line(std::uint32_t vertex) const {
+  std::vector<VoronoiFacet> all;
+  for (const std::uint32_t c : stars_.star(vertex)) {
+    if (triangulation_.is_ghost(c)) continue;
+    const TriangulationCell& cell = triangulation_.cells()[c];
+    all.push_back({cell.vertices[1 - slot_of(cell, vertex)], false, {corner(c)}, {c}});
+  }
   return all;
 }
 
@@ -154,6 +202,23 @@ std::optional<Rational> Voronoi3::volume(std::uint32_t vertex) const {
   if (!has_cell(vertex)) return Rational();
   if (is_unbounded(vertex)) return std::nullopt;
   return voronoi_volume(triangulation_, vertex, stars_.star(vertex));
+}
+
+std::optional<Rational> Voronoi3::squared_section(std::uint32_t vertex) const {
+  if (dimension() == 3) throw InputError("the section of a Voronoi cell with the plane of points that are in none");
+  if (!has_cell(vertex)) return Rational();
+  if (dimension() == 0) return Rational(1);
+  if (stars_.is_on_hull(vertex)) return std::nullopt;
+  const std::vector<VoronoiFacet> sides = facets(vertex);
+  if (dimension() == 1) {
+    const RationalPoint3 way = sides[1].corners[0] - sides[0].corners[0];
+    return dot(way, way);
+  }
+  const RationalPoint3 apex = exact_point(triangulation_.point(vertex));
+  RationalPoint3 twice_area;  // along the normal of the plane
+  for (const VoronoiFacet& side : sides)
+    twice_area = twice_area + cross(side.corners[0] - apex, side.corners[1] - apex);
+  return dot(twice_area, twice_area) / Rational(4);
 }
 
 Rational Voronoi3::volume(std::uint32_t vertex, std::span<const VoronoiFacet> facets) const {
