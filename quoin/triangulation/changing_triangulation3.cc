@@ -300,7 +300,7 @@ std::vector<std::uint32_t> ChangingTriangulation3<Points>::neighbours(std::uint3
 template <class Points>
 DelaunayLocation ChangingTriangulation3<Points>::locate(const Point3& p) const {
   require_finite(p);
-  if (dimension_ < 3) throw InputError("points are located in triangulations of dimension 3 only");
+  if (dimension_ < 3) throw InputError("where points change, others are located in dimension 3 only");
   return walk_to(p, cells(), cell_of(points_.one_near(p)), [this](std::uint32_t v) { return point(v); });
 }
 

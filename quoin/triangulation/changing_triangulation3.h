@@ -61,7 +61,8 @@ class ChangingTriangulation3 {
   /// @throws InputError if there is no such vertex, it is hidden, or the dimension is below 2
   std::vector<std::uint32_t> neighbours(std::uint32_t v) const;
   /// In dimension 3, the smallest face that a point is in. O(1) expected for points spread evenly.
-  /// @throws InputError if the point is not finite, or the dimension below 3
+  /// @throws InputError if the point is not finite, or the dimension below 3: then DelaunayLocator finds it in a
+  /// Delaunay3 or Regular3 of the points
   DelaunayLocation locate(const Point3& p) const;
   /// In dimension 0 and 1 the vertices in lexicographic order, but for hidden ones.
   std::span<const std::uint32_t> line() const;
