@@ -23,6 +23,7 @@ RationalPoint3 meeting_point(const std::array<RationalPoint3, 3>& vectors, const
 
 /// Of one to three affinely independent points: the point of the same power of all in their affine hull.
 RationalPoint3 flat_power_centre(std::span<const Point3> points, std::span<const double> weights) {
+  if (points.size() == 1) return exact_point(points[0]);
   const RationalPoint3 origin = exact_point(points[0]);
   std::array<RationalPoint3, 3> vectors;
   std::array<Rational, 3> lifts;
@@ -30,7 +31,6 @@ RationalPoint3 flat_power_centre(std::span<const Point3> points, std::span<const
     vectors[i] = exact_point(points[i + 1]) - origin;
     lifts[i] = dot(vectors[i], vectors[i]) - (Rational(weights[i + 1]) - Rational(weights[0]));
   }
-  if (points.size() == 1) return origin;
   if (points.size() == 2) return origin + vectors[0] * (lifts[0] / (Rational(2) * dot(vectors[0], vectors[0])));
   vectors[2] = cross(vectors[0], vectors[1]);  // the plane through the origin across it
   return origin + meeting_point(vectors, lifts);
