@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "quoin/number/rational.h"
 #include "quoin/topology/simplicial_complex.h"
 
 /// Complexes for tests, and slow linear algebra that shares nothing with the library's.
@@ -208,6 +209,26 @@ inline std::size_t rank_modulo(Dense rows, std::int64_t p) {
       const std::int64_t f = rows[i][j] * inverse % p;
       if (f == 0) continue;
       for (std::size_t l = j; l < columns; ++l) rows[i][l] = ((rows[i][l] - f * rows[rank][l]) % p + p) % p;
+    }
+    ++rank;
+  }
+  return rank;
+}
+
+inline std::size_t rational_rank(const Dense& dense) {
+  std::vector<std::vector<Rational>> rows;
+  for (const auto& row : dense) rows.emplace_back(row.begin(), row.end());
+  std::size_t rank = 0;
+  const std::size_t columns = rows.empty() ? 0 : rows[0].size();
+  for (std::size_t j = 0; j < columns; ++j) {
+    std::size_t pivot = rank;
+    while (pivot < rows.size() && rows[pivot][j].sign() == Sign::zero) ++pivot;
+    if (pivot == rows.size()) continue;
+    std::swap(rows[rank], rows[pivot]);
+    for (std::size_t i = rank + 1; i < rows.size(); ++i) {
+      if (rows[i][j].sign() == Sign::zero) continue;
+      const Rational f = rows[i][j] / rows[rank][j];
+      for (std::size_t l = j; l < columns; ++l) rows[i][l] -= f * rows[rank][l];
     }
     ++rank;
   }
