@@ -12,7 +12,7 @@
 #include "quoin/base/error.h"
 #include "quoin/base/test_rounds.h"
 #include "quoin/flow/flow_complex.h"
-#include "quoin/triangulation/test_clouds.h"
+#include "quoin/flow/test_scans.h"
 
 namespace quoin {
 namespace {
@@ -131,7 +131,7 @@ TEST(CriticalSeparation, IsTheDefinitionInRationals) {
   std::size_t of_surface = 0;
   std::size_t disputed = 0;
   for (int round = 0; round < test_rounds(3); ++round) {
-    for (const testing::Cloud& cloud : testing::clouds(random, 24)) {
+    for (const testing::Cloud& cloud : testing::flow_clouds(random, 24)) {
       SCOPED_TRACE(cloud.name);
       if (Delaunay3(cloud.points, context()).dimension() < 3) continue;
       const Separated fast(cloud.points);
@@ -248,7 +248,7 @@ TEST(CriticalSeparation, OfAShallowBowlNothingIsInside) {
 
 TEST(CriticalSeparation, OfAnyPointsTheSolidHasABoundary) {
   Random random(213);
-  for (const testing::Cloud& cloud : testing::clouds(random, 40)) {
+  for (const testing::Cloud& cloud : testing::flow_clouds(random, 40)) {
     SCOPED_TRACE(cloud.name);
     if (Delaunay3(cloud.points, context()).dimension() < 3) continue;
     const Separated all(cloud.points);

@@ -10,7 +10,7 @@
 #include "quoin/base/test_rounds.h"
 #include "quoin/flow/facet_formulas.h"
 #include "quoin/flow/test_flow.h"
-#include "quoin/triangulation/test_clouds.h"
+#include "quoin/flow/test_scans.h"
 
 namespace quoin {
 namespace {
@@ -142,7 +142,7 @@ void check_crossings(const FlowComplex& flow, std::map<FacetExit::Kind, std::siz
 TEST(FacetCrossing, IsWhereSignsChange) {
   Random random(164);
   std::map<FacetExit::Kind, std::size_t> seen;
-  for (const testing::Cloud& cloud : testing::clouds(random, 10)) {
+  for (const testing::Cloud& cloud : testing::flow_clouds(random, 10)) {
     SCOPED_TRACE(cloud.name);
     const FlowComplex flow = flow_complex(cloud.points);
     if (flow.faces().dimension() < 3) continue;

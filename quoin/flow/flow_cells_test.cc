@@ -16,8 +16,8 @@
 #include "quoin/flow/saddle_surfaces.h"
 #include "quoin/flow/stable_surface.h"
 #include "quoin/flow/test_flow_names.h"
+#include "quoin/flow/test_scans.h"
 #include "quoin/flow/unstable_arcs.h"
-#include "quoin/triangulation/test_clouds.h"
 
 namespace quoin {
 namespace {
@@ -160,7 +160,7 @@ void check(const std::vector<Point3>& points, Seen& seen) {
 TEST(FlowCells, SayWhatDeloneFacesSay) {
   Random random(101);
   Seen seen;
-  for (const testing::Cloud& cloud : testing::clouds(random, 25)) {
+  for (const testing::Cloud& cloud : testing::flow_clouds(random, 25)) {
     SCOPED_TRACE(cloud.name);
     ASSERT_NO_FATAL_FAILURE(check(cloud.points, seen));
   }

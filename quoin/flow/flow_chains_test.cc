@@ -13,9 +13,9 @@
 #include "quoin/flow/flow_graph.h"
 #include "quoin/flow/stable_surface.h"
 #include "quoin/flow/test_flow.h"
+#include "quoin/flow/test_scans.h"
 #include "quoin/flow/unstable_arcs.h"
 #include "quoin/topology/homology.h"
-#include "quoin/triangulation/test_clouds.h"
 #include "quoin/triangulation/voronoi.h"
 
 namespace quoin {
@@ -137,6 +137,10 @@ TEST(FlowChains, BettiNumbersOfUnionsOfBalls) {
   for (int round = 0; round < test_rounds(12); ++round) {
     check_levels(testing::random_points(random, 10, [](Random& r) { return testing::small_integer(r, 2); }));
   }
+  for (const testing::Cloud& scan : testing::rounded_scans(random, 12)) {
+    SCOPED_TRACE(scan.name);
+    check_levels(scan.points);
+  }
   check_levels(testing::lattice(2, 2, 2));
   check_levels({{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}});
 }
@@ -146,7 +150,8 @@ TEST(FlowChains, NoiseMakesGridsOrdinary) {
   Random random(96);
   for (int round = 0; round < test_rounds(20); ++round) {
     std::vector<Point3> points =
-        testing::random_points(random, 15, [](Random& r) { return testing::small_integer(r, 2); });
+        round % 4 == 0 ? testing::rounded_scan(random, 60, testing::scanned_sphere)
+                       : testing::random_points(random, 15, [](Random& r) { return testing::small_integer(r, 2); });
     for (Point3& p : points) {
       for (std::size_t axis = 0; axis < 3; ++axis) p[axis] += 0.3 * testing::unit(random);
     }
@@ -161,7 +166,7 @@ TEST(FlowChains, NoiseMakesGridsOrdinary) {
 // An edge with a point in the closed ball over it is no edge of a minimum spanning tree.
 TEST(FlowChains, CriticalEdgesHaveMinimumSpanningTrees) {
   Random random(97);
-  for (const testing::Cloud& cloud : testing::clouds(random, 25)) {
+  for (const testing::Cloud& cloud : testing::flow_clouds(random, 25)) {
     SCOPED_TRACE(cloud.name);
     const FlowComplex flow = flow_complex(cloud.points);
     const auto n = static_cast<std::uint32_t>(flow.faces().count(0));
@@ -190,7 +195,7 @@ TEST(FlowChains, CriticalEdgesHaveMinimumSpanningTrees) {
 TEST(FlowChains, FilteredAndExactNumbersAgree) {
   Random random(98);
   std::size_t undecided = 0;
-  for (const testing::Cloud& cloud : testing::clouds(random, 22)) {
+  for (const testing::Cloud& cloud : testing::flow_clouds(random, 22)) {
     SCOPED_TRACE(cloud.name);
     const FlowComplex flow = flow_complex(cloud.points);
     ArcTracer filtered(flow);

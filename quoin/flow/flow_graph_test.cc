@@ -13,7 +13,7 @@
 #include "quoin/base/test_rounds.h"
 #include "quoin/flow/flow_reconstruction.h"
 #include "quoin/flow/flow_survey.h"
-#include "quoin/triangulation/test_clouds.h"
+#include "quoin/flow/test_scans.h"
 
 namespace quoin {
 namespace {
@@ -86,7 +86,7 @@ std::vector<Point3> torus(Random& random, int around, int along) {
 
 TEST(FlowGraph, EachMaximumHasASaddleBelow) {
   Random random(111);
-  for (const testing::Cloud& cloud : testing::clouds(random, 25)) {
+  for (const testing::Cloud& cloud : testing::flow_clouds(random, 25)) {
     SCOPED_TRACE(cloud.name);
     const Delaunay3 triangulation(cloud.points, context());
     if (triangulation.dimension() < 3) continue;

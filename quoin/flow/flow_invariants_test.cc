@@ -14,7 +14,7 @@
 #include "quoin/flow/flow_survey.h"
 #include "quoin/flow/stable_surface.h"
 #include "quoin/flow/test_flow.h"
-#include "quoin/triangulation/test_clouds.h"
+#include "quoin/flow/test_scans.h"
 
 namespace quoin {
 namespace {
@@ -36,7 +36,8 @@ TEST(FlowInvariants, SegmentsAreOfTheCatalogue) {
   for (int round = 0; round < test_rounds(30); ++round) {
     const auto coordinate = round % 3 == 0 ? +[](Random& r) { return testing::unit(r); }
                                            : +[](Random& r) { return testing::small_integer(r, 3); };
-    const FlowComplex flow = flow_complex(testing::random_points(random, 12, coordinate));
+    const FlowComplex flow = flow_complex(round % 5 == 4 ? testing::rounded_scan(random, 20, testing::scanned_torus)
+                                                         : testing::random_points(random, 12, coordinate));
     std::vector<RationalPoint3> starts;
     for (unsigned d = 1; d < 4; ++d) {
       for (std::uint32_t i = 0; i < flow.faces().count(d); i += 3) starts.push_back(flow.centre({d, i}));
@@ -78,7 +79,8 @@ TEST(FlowInvariants, SurveysDoNotDependOnThePlacement) {
   Random random(162);
   for (int round = 0; round < test_rounds(12); ++round) {
     std::vector<Point3> points =
-        testing::random_points(random, 30, [](Random& r) { return testing::small_integer(r, 3); });
+        round % 3 == 2 ? testing::rounded_scan(random, 60, testing::scanned_bumps)
+                       : testing::random_points(random, 30, [](Random& r) { return testing::small_integer(r, 3); });
     std::optional<std::vector<std::size_t>> expected;
     for (int placement = 0; placement < 4; ++placement) {
       const Delaunay3 triangulation(points, context(), {.is_canonical = placement % 2 == 0});
@@ -132,13 +134,23 @@ TEST(FlowInvariants, BackwardsThenForwardsIsNowhere) {
     }
   }
   EXPECT_GT(steps, test_cases(30U));
+  const std::size_t of_random = steps;
+  for (const testing::Cloud& scan : testing::rounded_scans(random, 80)) {
+    SCOPED_TRACE(scan.name);
+    const FlowComplex flow = flow_complex(scan.points);
+    for (const DeloneFace& face : flow.faces_of_kind(FlowKind::critical)) {
+      if (face.dimension != 2) continue;
+      ASSERT_NO_FATAL_FAILURE(check_back_and_forth(flow, face.index, steps));
+    }
+  }
+  EXPECT_GT(steps - of_random, 30U);
 }
 
-// Of random points doubles decide all but very few questions, of grids not.
+// Of random points doubles decide all but very few questions, of grids and rounded scans not.
 TEST(FlowInvariants, FiltersFailOnDegeneratePointsAlone) {
   Random random(165);
-  const auto undecided = [&](double (*coordinate)(Random&)) {
-    const Delaunay3 triangulation(testing::random_points(random, 300, coordinate), context());
+  const auto undecided = [](const std::vector<Point3>& points) {
+    const Delaunay3 triangulation(points, context());
     const FlowCells cells(triangulation, context());
     const SheetSurvey sheets = survey_sheets(cells, context());
     const StableSurvey stable = survey_stable(cells, context());
@@ -150,10 +162,14 @@ TEST(FlowInvariants, FiltersFailOnDegeneratePointsAlone) {
     return std::array{cells.undecided().centres + cells.undecided().spheres,
                       sheets.crossings.undecided + stable.crossings.undecided};
   };
-  EXPECT_EQ(undecided([](Random& r) { return testing::unit(r); }), (std::array<std::size_t, 2>{0, 0}));
-  const std::array<std::size_t, 2> of_grid = undecided([](Random& r) { return testing::small_integer(r, 9); });
-  EXPECT_GT(of_grid[0], 0U);
-  EXPECT_GT(of_grid[1], 0U);
+  EXPECT_EQ(undecided(testing::random_points(random, 300, testing::unit)), (std::array<std::size_t, 2>{0, 0}));
+  for (const std::vector<Point3>& points :
+       {testing::random_points(random, 300, [](Random& r) { return testing::small_integer(r, 9); }),
+        testing::rounded_scan(random, 300, testing::scanned_torus)}) {
+    const std::array<std::size_t, 2> of_grid = undecided(points);
+    EXPECT_GT(of_grid[0], 0U);
+    EXPECT_GT(of_grid[1], 0U);
+  }
 }
 
 // A way that ends in another saddle: the chains are no complex, and nothing says they were.

@@ -11,7 +11,7 @@
 #include "quoin/flow/flow_orbit.h"
 #include "quoin/flow/flow_survey.h"
 #include "quoin/flow/test_flow_names.h"
-#include "quoin/triangulation/test_clouds.h"
+#include "quoin/flow/test_scans.h"
 
 namespace quoin {
 namespace {
@@ -108,7 +108,7 @@ TEST(FlowRegions, ArePointsThatFlowToTheirMaxima) {
 
 TEST(FlowRegions, OfDegeneratePoints) {
   Random random(152);
-  for (const testing::Cloud& cloud : testing::clouds(random, 20)) {
+  for (const testing::Cloud& cloud : testing::flow_clouds(random, 20)) {
     SCOPED_TRACE(cloud.name);
     const Delaunay3 triangulation(cloud.points, context());
     if (triangulation.dimension() < 3) continue;

@@ -15,8 +15,8 @@
 #include "quoin/flow/critical_values.h"
 #include "quoin/flow/facet_formulas.h"
 #include "quoin/flow/test_flow_names.h"
+#include "quoin/flow/test_scans.h"
 #include "quoin/flow/unstable_sheet.h"
-#include "quoin/triangulation/test_clouds.h"
 
 namespace quoin {
 namespace {
@@ -175,7 +175,7 @@ void check(const std::vector<Point3>& points, Seen& seen) {
 TEST(SaddleSheets, AreThoseOfDeloneFaces) {
   Random random(131);
   Seen seen;
-  for (const testing::Cloud& cloud : testing::clouds(random, 12)) {
+  for (const testing::Cloud& cloud : testing::flow_clouds(random, 12)) {
     SCOPED_TRACE(cloud.name);
     ASSERT_NO_FATAL_FAILURE(check(cloud.points, seen));
   }

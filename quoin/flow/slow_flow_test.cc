@@ -4,8 +4,8 @@
 #include "quoin/base/test_rounds.h"
 #include "quoin/flow/flow_orbit.h"
 #include "quoin/flow/test_flow.h"
+#include "quoin/flow/test_scans.h"
 #include "quoin/flow/test_slow_flow.h"
-#include "quoin/triangulation/test_clouds.h"
 
 namespace quoin {
 namespace {
@@ -49,6 +49,16 @@ double large_grid(Random& random) {
   return testing::small_integer(random, 8);
 }
 
+/// From centres of faces, and from some points.
+void check_orbits(const std::vector<Point3>& points, const std::vector<Point3>& starts) {
+  const FlowComplex flow = flow_complex(points);
+  const SlowFlow slow(points);
+  for (unsigned d = 1; d < 4; ++d) {
+    for (std::uint32_t i = 0; i < flow.faces().count(d); i += 3) check_orbit(flow, slow, flow.centre({d, i}));
+  }
+  for (const Point3& p : starts) check_orbit(flow, slow, exact_point(p));
+}
+
 void check_family(Random& random, double (*coordinate)(Random&), int rounds) {
   for (int round = 0; round < rounds; ++round) {
     std::vector<Point3> points = testing::random_points(random, 5 + random() % 8, coordinate);
@@ -58,12 +68,7 @@ void check_family(Random& random, double (*coordinate)(Random&), int rounds) {
     std::sort(points.begin(), points.end(),
               [](const Point3& a, const Point3& b) { return lexicographically_less(a, b); });
     points.erase(std::unique(points.begin(), points.end()), points.end());
-    const FlowComplex flow = flow_complex(points);
-    const SlowFlow slow(points);
-    for (unsigned d = 1; d < 4; ++d) {
-      for (std::uint32_t i = 0; i < flow.faces().count(d); i += 3) check_orbit(flow, slow, flow.centre({d, i}));
-    }
-    for (const Point3& p : testing::random_points(random, 5, coordinate)) check_orbit(flow, slow, exact_point(p));
+    check_orbits(points, testing::random_points(random, 5, coordinate));
   }
 }
 
@@ -74,6 +79,10 @@ TEST(SlowFlow, OrbitsAreThoseOfTheDefinition) {
   const std::size_t decided_exactly = LazyNumber::exact_signs;
   check_family(random, small_grid, test_rounds(40));
   EXPECT_GT(LazyNumber::exact_signs, decided_exactly);
+  for (const testing::Cloud& scan : testing::rounded_scans(random, 16)) {
+    SCOPED_TRACE(scan.name);
+    check_orbits(scan.points, testing::random_points(random, 5, small_grid));
+  }
 }
 
 }  // namespace

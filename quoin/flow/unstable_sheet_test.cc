@@ -10,7 +10,7 @@
 #include "quoin/base/test_rounds.h"
 #include "quoin/flow/stable_surface.h"
 #include "quoin/flow/test_flow.h"
-#include "quoin/triangulation/test_clouds.h"
+#include "quoin/flow/test_scans.h"
 
 namespace quoin {
 namespace {
@@ -93,6 +93,10 @@ TEST(UnstableSheet, ReachesTheSaddlesWhoseSurfacesItBounds) {
   for (int round = 0; round < test_rounds(30); ++round) {
     check_pairs(
         flow_complex(testing::random_points(random, 12, [](Random& r) { return testing::small_integer(r, 6); })));
+  }
+  for (const testing::Cloud& scan : testing::rounded_scans(random, 25)) {
+    SCOPED_TRACE(scan.name);
+    check_pairs(flow_complex(scan.points));
   }
 }
 
