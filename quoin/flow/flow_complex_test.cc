@@ -11,7 +11,7 @@
 
 #include "quoin/base/test_rounds.h"
 #include "quoin/flow/test_flow.h"
-#include "quoin/triangulation/test_clouds.h"
+#include "quoin/flow/test_scans.h"
 
 namespace quoin {
 namespace {
@@ -31,8 +31,16 @@ Values values(const FlowComplex& flow) {
   return all;
 }
 
-std::size_t regular_count(const FlowComplex& flow) {
-  return flow.faces_of_kind(FlowKind::regular).size();
+/// Where orbits stop at what is no critical point: dimension of the hull of the nearest points, place.
+using Places = std::multiset<std::pair<unsigned, std::string>>;
+
+Places regular_places(const FlowComplex& flow) {
+  Places all;
+  for (const DeloneFace& face : flow.faces_of_kind(FlowKind::regular)) {
+    const RationalPoint3 z = flow.centre(face);
+    all.insert({face.dimension, z.x.to_string() + " " + z.y.to_string() + " " + z.z.to_string()});
+  }
+  return all;
 }
 
 std::vector<Point3> scaled(std::vector<Point3> points, double factor) {
@@ -102,14 +110,24 @@ TEST(FlowComplex, CubesWithCentres) {
   const FlowComplex faces = flow_complex(with(cube, face_centres));
   EXPECT_EQ(faces.counts(), (Counts{14, 36, 32, 9}));
   EXPECT_EQ(values(faces), (Values{{{1, "1/2"}, 36}, {{2, "2/3"}, 32}, {{3, "3/4"}, 8}, {{3, "1"}, 1}}));
-  EXPECT_EQ(regular_count(faces), 12U);
+  // The middles of the cube's edges, as near to the centres of both faces as to the ends.
+  Places middles;
+  for (const char* a : {"0", "2"}) {
+    for (const char* b : {"0", "2"}) {
+      const std::string x(a);
+      const std::string y(b);
+      for (const std::string& place : {"1 " + x + " " + y, x + " 1 " + y, x + " " + y + " 1"})
+        middles.insert({3, place});
+    }
+  }
+  EXPECT_EQ(regular_places(faces), middles);
 }
 
 TEST(FlowComplex, PointsOfAPlaneOrALine) {
   EXPECT_EQ(flow_complex({{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {2, 2, 0}}).counts(), (Counts{4, 4, 1, 0}));
   const FlowComplex right = flow_complex({{0, 0, 0}, {3, 0, 0}, {0, 4, 0}});
   EXPECT_EQ(right.counts(), (Counts{3, 2, 0, 0}));
-  EXPECT_EQ(regular_count(right), 1U);
+  EXPECT_EQ(regular_places(right), (Places{{2, "3/2 2 0"}}));
   EXPECT_EQ(flow_complex({{0, 0, 0}, {4, 0, 0}, {2, 3, 0}}).counts(), (Counts{3, 3, 1, 0}));
   EXPECT_EQ(flow_complex({{0, 0, 0}, {4, 0, 0}, {2, 1, 0}}).counts(), (Counts{3, 2, 0, 0}));
   EXPECT_EQ(flow_complex({{0, 0, 0}, {1, 2, 3}, {3, 6, 9}, {-1, -2, -3}, {7, 14, 21}}).counts(), (Counts{5, 4, 0, 0}));
@@ -124,20 +142,36 @@ TEST(FlowComplex, TwoRowsOfPoints) {
       points.push_back({3.0 * i, 0, 0});
       points.push_back({3.0 * i + shift, 6, 0});
     }
-    EXPECT_EQ(flow_complex(points).counts(), shift == 0 ? (Counts{20, 29, 10, 0}) : (Counts{20, 37, 18, 0}));
+    const FlowComplex flow = flow_complex(points);
+    EXPECT_EQ(flow.counts(), shift == 0 ? (Counts{20, 29, 10, 0}) : (Counts{20, 37, 18, 0}));
+    if (shift == 0) {  // along the rows, across, at both ends
+      EXPECT_EQ(values(flow),
+                (Values{{{1, "9/4"}, 16}, {{1, "9"}, 9}, {{1, "45/4"}, 4}, {{2, "45/4"}, 8}, {{2, "225/16"}, 2}}));
+    } else {  // across in a zigzag
+      Values edges = values(flow);
+      std::erase_if(edges, [](const auto& entry) { return entry.first.first != 1; });
+      EXPECT_EQ(edges, (Values{{{1, "9/4"}, 16},
+                               {{1, "37/4"}, 9},
+                               {{1, "10"}, 8},
+                               {{1, "17/2"}, 1},
+                               {{1, "29/2"}, 1},
+                               {{1, "45/4"}, 2}}));
+    }
   }
 }
 
 TEST(FlowComplex, RightAngles) {
   const FlowComplex corner = flow_complex({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
   EXPECT_EQ(corner.counts(), (Counts{4, 3, 0, 0}));
-  EXPECT_EQ(regular_count(corner), 3U);
+  EXPECT_EQ(regular_places(corner), (Places{{2, "1/2 1/2 0"}, {2, "1/2 0 1/2"}, {2, "0 1/2 1/2"}}));
   const FlowComplex prism = flow_complex({{0, 0, 0}, {3, 0, 0}, {0, 4, 0}, {0, 0, 2}, {3, 0, 2}, {0, 4, 2}});
   EXPECT_EQ(prism.counts(), (Counts{6, 7, 2, 0}));
-  EXPECT_EQ(regular_count(prism), 3U);
-  // The centre of the sphere is on a face.
+  // On both hypotenuses, and between them in the middle of a side.
+  EXPECT_EQ(regular_places(prism), (Places{{2, "3/2 2 0"}, {2, "3/2 2 2"}, {3, "3/2 2 1"}}));
+  // The centre of the sphere is on a face, and that of the face: neither a maximum nor a saddle.
   const FlowComplex merged = flow_complex({{5, 0, 0}, {-3, 4, 0}, {-3, -4, 0}, {0, 0, -5}});
   EXPECT_EQ(merged.counts(), (Counts{4, 6, 3, 0}));
+  EXPECT_EQ(regular_places(merged), (Places{{3, "0 0 0"}}));
 }
 
 TEST(FlowComplex, SingleTetrahedraHaveSevenSignatures) {
@@ -162,7 +196,7 @@ long alternating_sum(const Counts& c) {
 
 TEST(FlowComplex, AlternatingSumIsOne) {
   Random random(72);
-  for (const testing::Cloud& cloud : testing::clouds(random, 60)) {
+  for (const testing::Cloud& cloud : testing::flow_clouds(random, 60)) {
     SCOPED_TRACE(cloud.name);
     EXPECT_EQ(alternating_sum(flow_complex(cloud.points).counts()), 1);
   }
@@ -179,13 +213,14 @@ TEST(FlowComplex, CountsDoNotDependOnThePlacement) {
   Random random(73);
   for (int round = 0; round < test_rounds(40); ++round) {
     std::vector<Point3> points =
-        testing::random_points(random, 14, [](Random& r) { return testing::small_integer(r, 2); });
+        round % 4 == 0 ? testing::rounded_scan(random, 30, testing::scanned_bumps)
+                       : testing::random_points(random, 14, [](Random& r) { return testing::small_integer(r, 2); });
     const FlowComplex flow = flow_complex(points);
     std::shuffle(points.begin(), points.end(), random);
     for (Point3& p : points) p = {4 * p.y + 40, -4 * p.z - 12, 4 * p.x};
     const FlowComplex moved = flow_complex(points);
     ASSERT_EQ(flow.counts(), moved.counts());
-    ASSERT_EQ(regular_count(flow), regular_count(moved));
+    ASSERT_EQ(regular_places(flow).size(), regular_places(moved).size());
   }
 }
 

@@ -53,6 +53,15 @@ TEST(FlowOrbit, FromVerticesToInfinity) {
   const FlowComplex through = flow_complex({{8, 6, 4}, {8, 4, 0}, {3, 2, 7}, {2, 3, 2}});
   EXPECT_EQ(through.counts(), (Counts{4, 5, 2, 0}));
   EXPECT_EQ(story(through, through.centre({3, 0})), "V-F-infinity");
+  // A corner of three right angles: across the face that is opposite to it.
+  const FlowComplex corner = flow_complex({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+  EXPECT_EQ(corner.counts(), (Counts{4, 3, 0, 0}));
+  EXPECT_EQ(text(corner.centre({3, 0})), "1/2 1/2 1/2");
+  EXPECT_EQ(story(corner, place("1/2", "1/2", "1/2")), "V-E-infinity");
+  EXPECT_EQ(corner.faces().vertices(corner.crossed({3, 0})).size(), 3U);
+  for (const std::uint32_t v : corner.faces().vertices(corner.crossed({3, 0}))) {
+    EXPECT_NE(corner.point(v), (Point3{0, 0, 0}));
+  }
 }
 
 // The nearest point of the hull is the midpoint of an edge, but a third point sees the edge under a right angle.
