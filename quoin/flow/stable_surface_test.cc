@@ -13,8 +13,8 @@
 #include "quoin/flow/flow_chains.h"
 #include "quoin/flow/flow_orbit.h"
 #include "quoin/flow/test_flow.h"
+#include "quoin/flow/test_scans.h"
 #include "quoin/flow/unstable_arcs.h"
-#include "quoin/triangulation/test_clouds.h"
 
 namespace quoin {
 namespace {
@@ -165,19 +165,27 @@ std::set<Ends> boundary(const StableSurface& surface) {
   return odd;
 }
 
-// The boundary is made of the halves of the critical edges, and points of the triangles flow to the saddle, first to
-// the point that the triangle says.
-void check_surface(const FlowComplex& flow, StableSurface& surface, std::size_t samples) {
-  std::set<Ends> expected;
+/// The halves of the critical edges that are its sides.
+std::set<Ends> halves_of_sides(const FlowComplex& flow, const StableSurface& surface) {
+  std::set<Ends> halves;
   for (const StableSide& side : surface.sides) {
-    ASSERT_TRUE(flow.is_critical({1, side.edge}));
+    EXPECT_TRUE(flow.is_critical({1, side.edge}));
     for (const std::uint32_t v : flow.faces().edge(side.edge)) {
       const Ends half{-1 - static_cast<long>(v), static_cast<long>(side.point)};
-      if (!expected.erase(half)) expected.insert(half);
+      if (!halves.erase(half)) halves.insert(half);
     }
   }
-  ASSERT_EQ(boundary(surface), expected);
+  return halves;
+}
+
+// Points of the triangles flow to the saddle, first to the point that the triangle says; behind a stationary point that
+// is not critical, only as far as that.
+void check_points(const FlowComplex& flow, StableSurface& surface, std::size_t samples) {
   const Rational third = Rational(1) / Rational(3);
+  const auto check_end = [&](DeloneFace end) {
+    const bool is_stopped = surface.has_regular_point && flow.kind(end) == FlowKind::regular;
+    ASSERT_TRUE(is_stopped || end == (DeloneFace{2, surface.polygon}));
+  };
   for (std::size_t i = 0; i < std::min(samples, surface.triangles.size()); ++i) {
     const StableTriangle& t = surface.triangles[i * surface.triangles.size() / samples % surface.triangles.size()];
     const RationalPoint3 towards = surface.points.exact(t.towards);
@@ -185,9 +193,9 @@ void check_surface(const FlowComplex& flow, StableSurface& surface, std::size_t 
     FlowOrbit middle = flow_orbit(flow, (towards + from) * (Rational(1) / Rational(2)), context());
     ASSERT_GE(middle.points.size(), 2U);
     ASSERT_EQ(middle.points.exact(1), towards);
-    ASSERT_EQ(middle.end, (DeloneFace{2, surface.polygon}));
+    ASSERT_NO_FATAL_FAILURE(check_end(middle.end));
     const RationalPoint3 inside = (towards + from + exact_point(flow.point(t.vertex))) * third;
-    ASSERT_EQ(flow_orbit(flow, inside, context()).end, (DeloneFace{2, surface.polygon}));
+    ASSERT_NO_FATAL_FAILURE(check_end(flow_orbit(flow, inside, context()).end));
   }
 }
 
@@ -202,11 +210,77 @@ TEST(StableSurface, PointsFlowToTheSaddle) {
     for (const std::uint32_t f : critical_polygons(flow)) {
       StableSurface surface = stable_surface(flow, f, context());
       ASSERT_TRUE(surface.is_ordinary());
-      check_surface(flow, surface, 5);
+      ASSERT_EQ(boundary(surface), halves_of_sides(flow, surface));
+      ASSERT_NO_FATAL_FAILURE(check_points(flow, surface, 5));
       deep += surface.triangles.size() > 6 ? 1 : 0;
     }
   }
   EXPECT_GT(deep, test_cases(20U));
+}
+
+struct Seen {
+  std::size_t ordinary = 0;
+  std::size_t deep = 0;  // of these, with sides that are not the polygon's
+  // Of the others:
+  std::size_t through_vertices = 0;
+  std::size_t behind_regular_points = 0;
+  std::size_t open = 0;  // with a boundary that is not that of their sides
+};
+
+// Of all surfaces of some points: one that is not bounded by critical edges is flagged.
+void check_surfaces(const std::vector<Point3>& points, std::size_t samples, Seen& seen) {
+  const FlowComplex flow = flow_complex(points);
+  for (const std::uint32_t f : critical_polygons(flow)) {
+    StableSurface surface = stable_surface(flow, f, context());
+    ASSERT_NO_FATAL_FAILURE(check_points(flow, surface, samples));
+    const bool is_bounded = boundary(surface) == halves_of_sides(flow, surface);
+    ASSERT_TRUE(is_bounded || !surface.is_ordinary());
+    const bool is_deep =
+        std::any_of(surface.sides.begin(), surface.sides.end(), [](const StableSide& side) { return side.depth > 1; });
+    seen.ordinary += surface.is_ordinary() ? 1 : 0;
+    seen.deep += surface.is_ordinary() && is_deep ? 1 : 0;
+    seen.through_vertices += surface.has_voronoi_vertex ? 1 : 0;
+    seen.behind_regular_points += surface.has_regular_point ? 1 : 0;
+    seen.open += is_bounded ? 0 : 1;
+  }
+}
+
+TEST(StableSurface, OfDegeneratePointsIsBoundedByCriticalEdgesOrFlagged) {
+  Random random(84);
+  Seen seen;
+  for (const testing::Cloud& cloud : testing::flow_clouds(random, 8)) {
+    SCOPED_TRACE(cloud.name);
+    ASSERT_NO_FATAL_FAILURE(check_surfaces(cloud.points, 2, seen));
+  }
+  for (int round = 0; round < test_rounds(20); ++round) {
+    SCOPED_TRACE(round);
+    for (const int side : {1, 2, 4}) {
+      std::vector<Point3> points(12);
+      for (Point3& p : points) {
+        for (std::size_t axis = 0; axis < 3; ++axis) p[axis] = testing::small_integer(random, side);
+      }
+      ASSERT_NO_FATAL_FAILURE(check_surfaces(points, 2, seen));
+    }
+  }
+  EXPECT_GT(seen.ordinary, test_cases(200U));
+  EXPECT_GT(seen.deep, test_cases(30U));
+  EXPECT_GT(seen.through_vertices, test_cases(5U));
+  EXPECT_GT(seen.behind_regular_points, test_cases(50U));
+  EXPECT_GT(seen.open, test_cases(3U));
+}
+
+TEST(StableSurface, OfRoundedScansIsBoundedByCriticalEdgesOrFlagged) {
+  Random random(86);
+  Seen seen;
+  for (int round = 0; round < test_rounds(2); ++round) {
+    for (const testing::Cloud& scan : testing::rounded_scans(random, 50)) {
+      SCOPED_TRACE(scan.name);
+      ASSERT_NO_FATAL_FAILURE(check_surfaces(scan.points, 2, seen));
+    }
+  }
+  EXPECT_GT(seen.ordinary, test_cases(150U));
+  EXPECT_GT(seen.deep, test_cases(50U));
+  EXPECT_GT(seen.behind_regular_points, test_cases(30U));
 }
 
 TEST(StableSurface, ChainsOfRandomPointsAreContractible) {
