@@ -8,6 +8,7 @@
 #include <string>
 
 #include "quoin/base/error.h"
+#include "quoin/cli/point_origins.h"
 #include "quoin/kernel/predicates2.h"
 #include "quoin/kernel/predicates3.h"
 
@@ -21,20 +22,10 @@ using Triangle = std::array<std::uint32_t, 3>;
 
 VtkGrid vertices_of(const AlphaPoints& points, const PointFile& file) {
   VtkGrid grid;
-  for (const std::uint32_t i : points.first_input) {
-    grid.points.push_back(file.points[i]);
-    if (!file.normals.empty()) grid.normals.push_back(file.normals[i]);
-    if (!file.colors.empty()) grid.colors.push_back(file.colors[i]);
-  }
+  for (const std::uint32_t i : points.first_input) grid.points.push_back(file.points[i]);
   grid.point_integers.emplace_back("input", points.first_input);
   grid.point_integers.emplace_back("multiplicity", points.multiplicity);
-  const auto add_doubles = [&](const char* name, const std::vector<double>& values) {
-    if (values.empty()) return;
-    grid.point_doubles.emplace_back(name, std::vector<double>());
-    for (const std::uint32_t i : points.first_input) grid.point_doubles.back().second.push_back(values[i]);
-  };
-  add_doubles("intensity", file.intensities);
-  add_doubles("weight", file.weights);
+  add_data(grid, data_of(file, points.first_input));
   return grid;
 }
 

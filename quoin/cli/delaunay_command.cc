@@ -32,7 +32,7 @@ Json report_of(const TriangulatedPoints& made, const PointFile& file, const Opti
   }
   report["largest_multiplicity"] = made.largest_multiplicity;
   report["cells"] = made.cells;
-  if (made.delone) report["delone_cells"] = *made.delone;
+  report["delone_cells"] = made.delone;
   report["hull_vertices"] = made.hull_vertices;
   report["hull_simplices"] = made.hull_simplices;
   if (options.check) report["check"] = "passed";
@@ -42,8 +42,9 @@ Json report_of(const TriangulatedPoints& made, const PointFile& file, const Opti
 LayeredScene page_of(const TriangulatedPoints& made, const PointFile& file, const Options& options,
                      const Context& context) {
   LayeredScene scene = scene_of_triangulation(made, file, context);
-  std::vector<ViewFact> facts{{"Points", std::to_string(file.points.size())}, {"Cells", std::to_string(made.cells)}};
-  if (made.delone) facts.emplace_back("Delone cells", std::to_string(*made.delone));
+  std::vector<ViewFact> facts{{"Points", std::to_string(file.points.size())},
+                              {"Cells", std::to_string(made.cells)},
+                              {"Delone cells", std::to_string(made.delone)}};
   if (options.weighted) facts.emplace_back("Hidden points", std::to_string(made.hidden));
   scene.facts.insert(scene.facts.begin(), facts.begin(), facts.end());
   return scene;

@@ -3,9 +3,11 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <span>
 
 #include "quoin/base/context.h"
+#include "quoin/cli/point_origins.h"
 #include "quoin/flow/flow_reconstruction.h"
 #include "quoin/io/exact_cells.h"
 
@@ -27,19 +29,34 @@ class ExactFlow {
   /// the same points.
   void add_surfaces(const FlowMesh& mesh, std::span<const WallSaddle> saddles);
 
-  ExactCells take();
+  /// Ways of all saddles, from each Voronoi vertex to the next.
+  void add_ways();
+  /// All unstable sheets together, each part once: convex polygons. How many pieces reach to infinity and are left out.
+  std::size_t add_sheets();
+
+  /// With what the file says of points, but of ways and sheets, which are away from them.
+  ExactCells take(const PointFile& file);
 
  private:
-  /// The point of the cells that is there, a new one if there is none.
-  std::uint32_t place(const RationalPoint3& p);
-  /// The ends of an edge of a simplex.
-  std::array<std::uint32_t, 2> ends(std::uint32_t cell, unsigned edge);
-  void add(std::span<const std::uint32_t> corners, std::uint32_t index, std::uint32_t number, const Rational& square);
+  /// The point of the cells that is there; without one `none`, and the caller says where the new one comes from.
+  std::uint32_t find(const RationalPoint3& p) const;
+  std::uint32_t add_point(const RationalPoint3& p);
+  std::uint32_t place_vertex(std::uint32_t vertex);
+  /// That has the same distance from all of these vertices.
+  std::uint32_t place_centre(const RationalPoint3& p, std::span<const std::uint32_t> vertices);
+  /// The ends of an edge of a simplex, vertices.
+  std::array<std::uint32_t, 2> ends(std::uint32_t cell, unsigned edge) const;
+  std::uint32_t place_cell(std::uint32_t cell) { return place_centre(values_.centre(cell), flow_.vertices_of(cell)); }
+  std::uint32_t place_constructed(const RationalPoint3& p);
+  void add(std::span<const std::uint32_t> corners, std::uint32_t index, std::uint32_t number,
+           const std::optional<Rational>& square, ExactCellKind kind = ExactCellKind::simplex);
 
   const FlowCells& flow_;
   const Context& context_;
   CriticalValues values_;
   ExactCells cells_;
+  PointOrigins origins_;
+  bool is_away_ = false;                                        ///< there are ways or sheets
   std::multimap<std::array<double, 3>, std::uint32_t> places_;  ///< points by their nearest doubles
   std::vector<std::uint32_t> indices_;
   std::vector<std::uint32_t> numbers_;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "quoin/cli/exact_outputs.h"
 
-#include <array>
 #include <utility>
 
+#include "quoin/cli/point_origins.h"
 #include "quoin/kernel/rational_point.h"
 
 namespace quoin::cli {
@@ -11,20 +11,6 @@ namespace quoin::cli {
 namespace {
 
 constexpr std::size_t poll_step = 4096;
-
-void add_numbers(ExactColumns& columns, const char* name, std::span<const std::uint32_t> inputs, const auto& value_of) {
-  ExactNumbers& column = columns.numbers.emplace_back(name, ExactNumbers()).second;
-  for (const std::uint32_t i : inputs) column.add(value_of(i));
-}
-
-void add_colors(ExactColumns& columns, std::span<const std::uint32_t> inputs, const std::vector<Color>& colors) {
-  static constexpr std::array<std::pair<const char*, std::uint8_t Color::*>, 4> channels{
-      {{"red", &Color::r}, {"green", &Color::g}, {"blue", &Color::b}, {"alpha", &Color::a}}};
-  for (const auto& [name, channel] : channels) {
-    std::vector<std::uint32_t>& column = columns.integers.emplace_back(name, std::vector<std::uint32_t>()).second;
-    for (const std::uint32_t i : inputs) column.push_back(colors[i].*channel);
-  }
-}
 
 /// Without cells.
 ExactCells vertices_of(const PointFile& file, const std::vector<std::uint32_t>& first_input,
@@ -34,16 +20,7 @@ ExactCells vertices_of(const PointFile& file, const std::vector<std::uint32_t>& 
   for (const std::uint32_t i : first_input) cells.add_point(file.points[i]);
   ExactColumns& columns = cells.point_data;
   columns.integers = {{"input", first_input}, {"multiplicity", multiplicity}};
-  if (!file.colors.empty()) add_colors(columns, first_input, file.colors);
-  if (!file.weights.empty())
-    add_numbers(columns, "weight", first_input, [&](std::uint32_t i) { return file.weights[i]; });
-  if (!file.intensities.empty())
-    add_numbers(columns, "intensity", first_input, [&](std::uint32_t i) { return file.intensities[i]; });
-  if (!file.normals.empty()) {
-    add_numbers(columns, "nx", first_input, [&](std::uint32_t i) { return file.normals[i].x; });
-    add_numbers(columns, "ny", first_input, [&](std::uint32_t i) { return file.normals[i].y; });
-    add_numbers(columns, "nz", first_input, [&](std::uint32_t i) { return file.normals[i].z; });
-  }
+  add_data(columns, data_of(file, first_input));
   return cells;
 }
 

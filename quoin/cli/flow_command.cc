@@ -45,28 +45,24 @@ Json flat(const Json& report) {
   return lines;
 }
 
+/// Reports hold all that is asked for; pictures of distributions and pages manifolds of both kinds; other files one
+/// thing.
 void require_one_thing(const Options& options) {
-  const int things = (options.stable > 0 ? 1 : 0) + (options.unstable > 0 ? 1 : 0) + (options.shape ? 1 : 0) +
-                     (options.simplify ? 1 : 0) + (options.reconstruct ? 1 : 0);
+  const int manifolds = (options.stable > 0 ? 1 : 0) + (options.unstable > 0 ? 1 : 0);
+  const int others = (options.shape ? 1 : 0) + (options.simplify ? 1 : 0) + (options.reconstruct ? 1 : 0);
   if (options.ratio && !options.reconstruct) throw UsageError("--ratio is that of --reconstruct");
   if (options.ratio && options.separate) throw UsageError("--reconstruct goes by --ratio or by --separate");
   const std::vector<Target> targets = targets_of(options);
   const auto is_drawing = [](const Target& target) { return target.kind == Target::Kind::drawing; };
-  const auto takes_two = [&](const Target& target) { return is_drawing(target) || target.kind == Target::Kind::page; };
+  const auto takes_one = [&](const Target& target) {
+    return !is_drawing(target) && (others > 0 || target.kind != Target::Kind::page);
+  };
   if (std::ranges::any_of(targets, is_drawing) && options.stable < 2 && options.unstable == 0)
     throw UsageError(".svg holds histograms of what flows: it goes with --stable 2, --stable 3 or --unstable");
-  if (things > 1 &&
-      (!std::ranges::all_of(targets, takes_two) || (options.shape || options.simplify || options.reconstruct)))
+  if (manifolds + others > 1 && std::ranges::any_of(targets, takes_one))
     throw UsageError(
-        "one of --stable, --unstable, --shape, --simplify and --reconstruct at a time; without outputs, and for .svg "
-        "and "
-        "pages, "
-        "also --stable with --unstable");
-}
-
-void require_exact(const Options& options) {
-  if (options.unstable > 0 && writes(options, Target::Kind::cells))
-    throw UsageError("what --unstable writes has rounded coordinates: it does not go to .qcells");
+        "outputs hold one of --stable, --unstable, --shape, --simplify and --reconstruct; pages also --stable with "
+        "--unstable");
 }
 
 std::function<void(std::ostream&)> drawing_of(const std::vector<FlowHistogram>& histograms, const Options& options) {
@@ -82,11 +78,22 @@ void warn_of_infinite_parts(std::size_t pieces, std::vector<std::string>& warnin
   warnings.push_back(std::to_string(pieces) + " pieces of sheets reach to infinity and are not written");
 }
 
+/// Ways and sheets of space are away from the points: nothing is said of places there.
+void warn_of_unstable(const PointFile& file, const Options& options, std::vector<std::string>& warnings) {
+  const bool is_written = writes(options, Target::Kind::grid) || writes(options, Target::Kind::mesh) ||
+                          writes(options, Target::Kind::cells);
+  if (options.unstable == 0 || !is_written) return;
+  for (const auto& [name, is_there] :
+       {std::pair("normals", !file.normals.empty()), std::pair("colours", !file.colors.empty()),
+        std::pair("intensities", !file.intensities.empty())}) {
+    if (is_there) warnings.push_back(std::string("ways and sheets have no ") + name + ": those are of points");
+  }
+}
+
 }  // namespace
 
 int run_flow(const Options& options, const Context& context) {
   require_one_thing(options);
-  require_exact(options);
   std::vector<std::string> warnings;
   PointFile file = read_point_input(options, warnings, context);
   if (options.onto_plane) {
@@ -101,9 +108,9 @@ int run_flow(const Options& options, const Context& context) {
     FlowOfFlat flow(triangulation, options, context);
     if (writes(options, Target::Kind::page)) flow.announce_page();
     flow.report(report, warnings);
-    write_cells({.grid = [&] { return flow.grid(); },
-                 .mesh = [&] { return flow.mesh(); },
-                 .cells = [&] { return flow.exact_cells(); },
+    write_cells({.grid = [&] { return flow.grid(file); },
+                 .mesh = [&] { return flow.mesh(file); },
+                 .cells = [&] { return flow.exact_cells(file); },
                  .text = {},
                  .page = [&] { return flow.page(file); },
                  .drawing = drawing_of(flow.histograms(), options)},
@@ -112,14 +119,15 @@ int run_flow(const Options& options, const Context& context) {
     FlowOfSpace flow(triangulation, options, context);
     if (writes(options, Target::Kind::page)) flow.announce_page();
     flow.report(report);
-    write_cells({.grid = [&] { return flow.grid(); },
-                 .mesh = [&] { return flow.faces(); },
-                 .cells = [&] { return flow.exact_cells(); },
+    write_cells({.grid = [&] { return flow.grid(file); },
+                 .mesh = [&] { return flow.faces(file); },
+                 .cells = [&] { return flow.exact_cells(file); },
                  .text = {},
                  .page = [&] { return flow.page(file); },
                  .drawing = drawing_of(flow.histograms(), options)},
                 options, warnings, context);
     warn_of_infinite_parts(flow.unbounded_pieces(), warnings);
+    warn_of_unstable(file, options, warnings);
   }
   const std::string text = as_text(flat(report));
   print_report(std::move(report), text, warnings, options);

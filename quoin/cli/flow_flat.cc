@@ -11,6 +11,7 @@
 #include "quoin/cli/flow_page.h"
 #include "quoin/cli/flow_report.h"
 #include "quoin/cli/memory.h"
+#include "quoin/cli/point_origins.h"
 #include "quoin/flow/critical_values.h"
 
 namespace quoin::cli {
@@ -24,7 +25,7 @@ using Json = nlohmann::ordered_json;
 /// Points that are centres of faces, each once, and cells over them.
 class FlowOfFlat::Cells {
  public:
-  explicit Cells(const FlowComplex& flow) : flow_(flow) {
+  Cells(const FlowComplex& flow, const Delaunay3& triangulation) : flow_(flow), triangulation_(triangulation) {
     for (unsigned d = 0; d < 3; ++d) places_[d].assign(flow.faces().count(d), none);
     grid_.cell_integers = {{"index", {}}, {"number", {}}};
     grid_.cell_doubles = {{"distance", {}}};
@@ -52,11 +53,44 @@ class FlowOfFlat::Cells {
     faces_.push_back(face);
   }
 
-  VtkGrid& grid() { return grid_; }
+  const VtkGrid& grid() const { return grid_; }
+
+  PointOrigins origins() const {
+    const DeloneFaces& faces = flow_.faces();
+    PointOrigins origins;
+    std::vector<std::uint32_t> inputs;
+    for (const DeloneFace face : centres_) {
+      inputs.clear();
+      if (face.dimension == 0) {
+        inputs.push_back(face.index);
+      } else if (face.dimension == 1) {
+        for (const std::uint32_t v : faces.edge(face.index)) inputs.push_back(v);
+      } else {
+        inputs.assign(faces.polygon(face.index).begin(), faces.polygon(face.index).end());
+      }
+      for (std::uint32_t& vertex : inputs) vertex = triangulation_.inputs(vertex)[0];
+      if (face.dimension == 0) {
+        origins.add_given(inputs[0]);
+      } else {
+        origins.add_made(inputs);
+      }
+    }
+    return origins;
+  }
+  VtkGrid traced(const PointFile& file) const {
+    VtkGrid grid = grid_;
+    const PointOrigins from = origins();
+    grid.point_integers.emplace_back("input", from.given());
+    add_data(grid, data_of(file, from));
+    return grid;
+  }
 
   /// The same with exact coordinates and squared distances.
-  ExactCells exact(const Context& context) const {
+  ExactCells exact(const PointFile& file, const Context& context) const {
     ExactCells cells;
+    const PointOrigins from = origins();
+    cells.point_data.integers = {{"input", from.given()}};
+    add_data(cells.point_data, data_of(file, from));
     for (const DeloneFace face : centres_) {
       if (cells.point_count() % 64 == 0) context.poll();
       cells.add_point(face.dimension == 0 ? exact_point(flow_.point(face.index)) : flow_.centre(face));
@@ -78,6 +112,7 @@ class FlowOfFlat::Cells {
   static constexpr std::uint32_t none = 0xFFFFFFFF;
 
   const FlowComplex& flow_;
+  const Delaunay3& triangulation_;
   VtkGrid grid_;
   std::vector<DeloneFace> centres_;  ///< of points
   std::vector<DeloneFace> faces_;    ///< of cells
@@ -97,6 +132,7 @@ void FlowOfFlat::report(Json& report, std::vector<std::string>& warnings) {
   report["stationary_regular"] = complex_.faces_of_kind(FlowKind::regular).size();
   edges_ = critical_faces(complex_, 1);
   polygons_ = critical_faces(complex_, 2);
+  if (options_.stable == 1) report["stable"] = report_of_edges(edges_.size(), options_.json);
   if (options_.stable == 2) {
     const StableSurvey survey = survey_flat_stable(complex_, context_);
     report["stable"] = report_of(survey, options_.json);
@@ -216,7 +252,7 @@ void FlowOfFlat::add_ways(Cells& cells) {
 }
 
 FlowOfFlat::Cells FlowOfFlat::cells() {
-  Cells cells(complex_);
+  Cells cells(complex_, triangulation_);
   const bool has_any = options_.stable > 0 || options_.shape || options_.simplify || options_.reconstruct;
   if (options_.unstable > 0) {
     add_ways(cells);
@@ -228,14 +264,14 @@ FlowOfFlat::Cells FlowOfFlat::cells() {
   return cells;
 }
 
-VtkGrid FlowOfFlat::grid() {
-  return std::move(cells().grid());
+VtkGrid FlowOfFlat::grid(const PointFile& file) {
+  return cells().traced(file);
 }
 
-ExactCells FlowOfFlat::exact_cells() {
-  if (!options_.shape) return cells().exact(context_);
+ExactCells FlowOfFlat::exact_cells(const PointFile& file) {
+  if (!options_.shape) return cells().exact(file, context_);
   // Where edges meet triangles these have their midpoints as corners.
-  Cells shape(complex_);
+  Cells shape(complex_, triangulation_);
   for (std::uint32_t v = 0; v < triangulation_.vertex_count(); ++v)
     shape.add(VtkCell::vertex, {shape.vertex(v)}, {0, v}, triangulation_.inputs(v)[0]);
   std::uint32_t number = 0;
@@ -245,7 +281,7 @@ ExactCells FlowOfFlat::exact_cells() {
     ++number;
   }
   add_triangles(shape);
-  return shape.exact(context_);
+  return shape.exact(file, context_);
 }
 
 LayeredScene FlowOfFlat::page(const PointFile& file) {
@@ -259,17 +295,19 @@ void FlowOfFlat::announce_page() const {
   announce_memory(memory_of_flow(points, options_) + memory_of_flat_page(points), points, options_);
 }
 
-Mesh FlowOfFlat::mesh() {
-  Mesh mesh;
-  if (options_.stable != 2 && !options_.shape) return mesh;
-  Cells cells(complex_);
+CellMesh FlowOfFlat::mesh(const PointFile& file) {
+  CellMesh made;
+  Mesh& mesh = made.mesh;
+  if (options_.stable != 2 && !options_.shape) return made;
+  Cells cells(complex_, triangulation_);
   add_triangles(cells);
   const VtkGrid& grid = cells.grid();
   mesh.vertices = grid.points;
   for (std::size_t i = 0; i < grid.types.size(); ++i) {
     mesh.add_face(std::span(grid.cells).subspan(grid.cell_begin[i], 3));
   }
-  return mesh;
+  made.data = data_of(file, cells.origins());
+  return made;
 }
 
 }  // namespace quoin::cli

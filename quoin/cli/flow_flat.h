@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "quoin/cli/cell_outputs.h"
 #include "quoin/cli/flow_report.h"
 #include "quoin/cli/options.h"
 #include "quoin/flow/flat_flow.h"
 #include "quoin/io/exact_cells.h"
 #include "quoin/io/point_file.h"
 #include "quoin/io/vtk_grid.h"
-#include "quoin/solid/mesh.h"
 #include "quoin/view/layered_scene.h"
 
 namespace quoin::cli {
@@ -24,12 +24,12 @@ class FlowOfFlat {
 
   void report(nlohmann::ordered_json& report, std::vector<std::string>& warnings);
   /// Critical points, critical edges, triangles of the plane, or ways in the plane.
-  VtkGrid grid();
+  VtkGrid grid(const PointFile& file);
   /// The same with exact coordinates; of --shape with all points, and critical edges in two halves, as triangles meet
   /// them.
-  ExactCells exact_cells();
+  ExactCells exact_cells(const PointFile& file);
   /// Triangles of the plane.
-  Mesh mesh();
+  CellMesh mesh(const PointFile& file);
   LayeredScene page(const PointFile& file);
   /// @throws InputError  a page takes more memory than there is
   void announce_page() const;

@@ -5,9 +5,7 @@
 #include <array>
 #include <numeric>
 
-#include "quoin/cli/cell_outputs.h"
 #include "quoin/cli/exact_flow.h"
-#include "quoin/cli/flow_outputs.h"
 #include "quoin/cli/flow_scene.h"
 #include "quoin/cli/memory.h"
 #include "quoin/cli/targets.h"
@@ -33,7 +31,7 @@ Rational square_of(const Rational& distance) {
 
 std::uint64_t memory_of_flow(std::size_t points, const Options& options) {
   const auto bytes = [&]() -> std::uint64_t {
-    if (writes(options, Target::Kind::cells)) return 28000;
+    if (writes(options, Target::Kind::cells)) return options.unstable == 1 ? 100000 : 28000;
     if (has_pages_alone(options)) return 700;
     return options.unstable == 1 ? 30000 : 3000;
   };
@@ -45,6 +43,7 @@ FlowOfSpace::FlowOfSpace(const Delaunay3& triangulation, const Options& options,
 
 void FlowOfSpace::report(Json& report) {
   add_counts(report);
+  if (options_.stable == 1) report["stable"] = report_of_edges(flow_.counts()[1], options_.json);
   if (options_.stable == 2) {
     context_.progress("stable surfaces", 0);
     report["stable"] = told(survey_stable(flow_, context_));
@@ -64,10 +63,17 @@ void FlowOfSpace::report(Json& report) {
   if (options_.reconstruct) report["solid"] = solid();
 }
 
-VtkGrid FlowOfSpace::grid() {
-  VtkGrid grid;
+VtkGrid FlowOfSpace::grid(const PointFile& file) {
   if (options_.unstable == 1) return grid_of_sheets(sheets());
   if (options_.unstable == 2) return grid_of_arcs(flow_, context_);
+  TracedGrid made = traced();
+  made.cells.point_integers.emplace_back("input", made.origins.given());
+  add_data(made.cells, data_of(file, made.origins));
+  return std::move(made.cells);
+}
+
+TracedGrid FlowOfSpace::traced() {
+  TracedGrid grid;
   if (options_.stable == 3) return grid_of_regions(graph(), context_);
   if (options_.stable == 1) {
     add_critical_edges(flow_, std::nullopt, grid, context_);
@@ -80,9 +86,13 @@ VtkGrid FlowOfSpace::grid() {
   return grid;
 }
 
-ExactCells FlowOfSpace::exact_cells() {
+ExactCells FlowOfSpace::exact_cells(const PointFile& file) {
   ExactFlow exact(flow_, context_);
-  if (options_.stable == 1) {
+  if (options_.unstable == 1) {
+    unbounded_ = exact.add_sheets();
+  } else if (options_.unstable == 2) {
+    exact.add_ways();
+  } else if (options_.stable == 1) {
     exact.add_critical_edges();
   } else if (!has_surfaces()) {
     exact.add_critical_points(graph());
@@ -91,7 +101,7 @@ ExactCells FlowOfSpace::exact_cells() {
     const FlowMesh& surfaces = mesh();  // which makes the walls
     exact.add_surfaces(surfaces, walls_);
   }
-  return exact.take();
+  return exact.take(file);
 }
 
 void FlowOfSpace::announce_page() const {
@@ -119,9 +129,12 @@ const FlowMesh& FlowOfSpace::mesh() {
       flow_mesh(flow_, walls_, context_, {.keeps_exact_points = writes(options_, Target::Kind::cells)}));
 }
 
-Mesh FlowOfSpace::faces() {
+CellMesh FlowOfSpace::faces(const PointFile& file) {
   if (options_.unstable == 1) return mesh_of_sheets(sheets());
-  return has_surfaces() ? mesh_of_surfaces(mesh()) : Mesh{};
+  if (!has_surfaces()) return {};
+  CellMesh made(mesh_of_surfaces(mesh()));
+  made.data = data_of(file, origins_of(mesh(), flow_.triangulation()));
+  return made;
 }
 
 bool FlowOfSpace::has_surfaces() const {
@@ -163,6 +176,7 @@ Json FlowOfSpace::regions() {
 
 const SheetPolygons& FlowOfSpace::sheets() {
   if (!sheets_) sheets_ = sheet_polygons(flow_, context_);
+  unbounded_ = sheets_->unbounded;
   return *sheets_;
 }
 

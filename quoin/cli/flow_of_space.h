@@ -7,6 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "quoin/cli/cell_outputs.h"
+#include "quoin/cli/flow_outputs.h"
 #include "quoin/cli/flow_report.h"
 #include "quoin/cli/flow_sheets.h"
 #include "quoin/cli/options.h"
@@ -16,7 +18,6 @@
 #include "quoin/io/exact_cells.h"
 #include "quoin/io/point_file.h"
 #include "quoin/io/vtk_grid.h"
-#include "quoin/solid/mesh.h"
 #include "quoin/view/layered_scene.h"
 
 namespace quoin::cli {
@@ -33,19 +34,20 @@ class FlowOfSpace {
   void report(nlohmann::ordered_json& report);
 
   /// Each after the report.
-  VtkGrid grid();
-  ExactCells exact_cells();
-  Mesh faces();
+  VtkGrid grid(const PointFile& file);
+  ExactCells exact_cells(const PointFile& file);
+  CellMesh faces(const PointFile& file);
   LayeredScene page(const PointFile& file);
   const std::vector<FlowHistogram>& histograms() const { return histograms_; }
 
   /// @throws InputError  a page takes more memory than there is
   void announce_page() const;
   /// Of what is written, for warnings: pieces of sheets that reach to infinity.
-  std::size_t unbounded_pieces() const { return sheets_ ? sheets_->unbounded : 0; }
+  std::size_t unbounded_pieces() const { return unbounded_; }
 
  private:
   bool has_surfaces() const;
+  TracedGrid traced();
   const FlowMesh& mesh();
   const FlowGraph& graph();
   const SheetPolygons& sheets();
@@ -69,6 +71,7 @@ class FlowOfSpace {
   std::vector<bool> chosen_;  // maxima inside, or that stay
   std::optional<FlowMesh> mesh_;
   std::optional<SheetPolygons> sheets_;
+  std::size_t unbounded_ = 0;
   std::vector<FlowHistogram> histograms_;
 };
 

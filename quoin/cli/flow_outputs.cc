@@ -36,6 +36,11 @@ void add(VtkGrid& grid, VtkCell type, std::span<const std::uint32_t> corners, st
   distances(grid).push_back(at);
 }
 
+std::array<std::uint32_t, 2> ends_of(const FlowCells& flow, std::uint32_t cell, unsigned edge) {
+  const std::array<std::uint32_t, 4>& vertices = flow.cells()[cell].vertices;
+  return {vertices[edge_slots[edge][0]], vertices[edge_slots[edge][1]]};
+}
+
 std::uint32_t add_point(VtkGrid& grid, const Point3& p) {
   grid.points.push_back(p);
   return static_cast<std::uint32_t>(grid.points.size() - 1);
@@ -43,42 +48,64 @@ std::uint32_t add_point(VtkGrid& grid, const Point3& p) {
 
 }  // namespace
 
-VtkGrid grid_of_critical_points(const FlowGraph& graph, const std::optional<CriticalSeparation>& separation,
-                                const Context& context) {
-  VtkGrid grid;
+std::uint32_t TracedGrid::add_given(const Point3& p, std::uint32_t input) {
+  origins.add_given(input);
+  return add_point(cells, p);
+}
+
+std::uint32_t TracedGrid::add_made(const Point3& p, std::span<const std::uint32_t> vertices,
+                                   const Delaunay3& triangulation) {
+  std::vector<std::uint32_t> inputs;
+  for (const std::uint32_t v : vertices) inputs.push_back(triangulation.inputs(v)[0]);
+  origins.add_made(inputs);
+  return add_point(cells, p);
+}
+
+TracedGrid grid_of_critical_points(const FlowGraph& graph, const std::optional<CriticalSeparation>& separation,
+                                   const Context& context) {
+  TracedGrid grid;
   const FlowCells& flow = graph.cells();
-  const CriticalValues values(flow.triangulation());
-  const auto add_one = [&](const Point3& p, std::uint32_t index, std::uint32_t number, double at) {
-    if (grid.points.size() % 256 == 0) context.poll();
-    const std::uint32_t corner = add_point(grid, p);
-    add(grid, VtkCell::vertex, std::span(&corner, 1), index, number, at);
+  const Delaunay3& triangulation = flow.triangulation();
+  const CriticalValues values(triangulation);
+  const auto add_one = [&](std::uint32_t corner, std::uint32_t index, std::uint32_t number, double at) {
+    if (corner % 256 == 0) context.poll();
+    add(grid.cells, VtkCell::vertex, std::span(&corner, 1), index, number, at);
   };
-  for (std::uint32_t v = 0; v < flow.triangulation().vertex_count(); ++v) {
-    add_one(flow.triangulation().point(v), 0, flow.triangulation().inputs(v)[0], 0);
+  for (std::uint32_t v = 0; v < triangulation.vertex_count(); ++v) {
+    const std::uint32_t input = triangulation.inputs(v)[0];
+    add_one(grid.add_given(triangulation.point(v), input), 0, input, 0);
   }
   std::uint32_t edges = 0;
   flow.for_each_critical_edge(context, [&](std::uint32_t cell, unsigned edge) {
-    add_one(to_nearest_doubles(values.midpoint(cell, edge)), 1, edges++, distance(values.of_edge(cell, edge)));
+    const Point3 middle = to_nearest_doubles(values.midpoint(cell, edge));
+    add_one(grid.add_made(middle, ends_of(flow, cell, edge), triangulation), 1, edges++,
+            distance(values.of_edge(cell, edge)));
   });
   for (std::uint32_t i = 0; i < graph.saddles().size(); ++i) {
-    add_one(to_nearest_doubles(values.centre(graph.saddles()[i].facet)), 2, i, distance(graph.saddles()[i].square));
+    const FlowGraph::Saddle& saddle = graph.saddles()[i];
+    const Point3 centre = to_nearest_doubles(values.centre(saddle.facet));
+    add_one(grid.add_made(centre, flow.vertices_of_polygon(saddle.facet), triangulation), 2, i,
+            distance(saddle.square));
   }
   for (std::uint32_t i = 0; i < graph.maxima().size(); ++i) {
-    add_one(to_nearest_doubles(values.centre(graph.maxima()[i].cell)), 3, i, distance(graph.maxima()[i].square));
+    const FlowGraph::Maximum& maximum = graph.maxima()[i];
+    const Point3 centre = to_nearest_doubles(values.centre(maximum.cell));
+    add_one(grid.add_made(centre, flow.vertices_of(maximum.cell), triangulation), 3, i, distance(maximum.square));
   }
   if (separation) {
-    std::vector<std::uint32_t> medial(flow.triangulation().vertex_count(), 0);
+    std::vector<std::uint32_t> medial(triangulation.vertex_count(), 0);
     for (const std::vector<bool>* list : {&separation->edges, &separation->saddles, &separation->maxima}) {
       medial.insert(medial.end(), list->begin(), list->end());
     }
-    grid.cell_integers.emplace_back("medial", std::move(medial));
+    grid.cells.cell_integers.emplace_back("medial", std::move(medial));
   }
   return grid;
 }
 
-void add_critical_edges(const FlowCells& flow, const std::optional<Rational>& most, VtkGrid& grid,
+void add_critical_edges(const FlowCells& flow, const std::optional<Rational>& most, TracedGrid& grid,
                         const Context& context) {
-  const CriticalValues values(flow.triangulation());
+  const Delaunay3& triangulation = flow.triangulation();
+  const CriticalValues values(triangulation);
   const Interval around = most ? Interval::around(*most) : Interval::unbounded();
   std::map<std::uint32_t, std::uint32_t> corner_of;
   std::uint32_t count = 0;
@@ -87,26 +114,26 @@ void add_critical_edges(const FlowCells& flow, const std::optional<Rational>& mo
     const Interval square = values.of_edge(cell, edge);
     const auto exact = [&] { return values.exactly_of_edge(cell, edge); };
     if (most && !is_at_most(square, exact, *most, around)) return;
-    std::array<std::uint32_t, 2> corners{};
-    for (unsigned i = 0; i < 2; ++i) {
-      const std::uint32_t v = flow.cells()[cell].vertices[edge_slots[edge][i]];
-      const auto [at, is_new] = corner_of.try_emplace(v, 0);
-      if (is_new) at->second = add_point(grid, flow.triangulation().point(v));
-      corners[i] = at->second;
+    std::array<std::uint32_t, 2> corners = ends_of(flow, cell, edge);
+    for (std::uint32_t& corner : corners) {
+      const auto [at, is_new] = corner_of.try_emplace(corner, 0);
+      if (is_new) at->second = grid.add_given(triangulation.point(corner), triangulation.inputs(corner)[0]);
+      corner = at->second;
     }
-    add(grid, VtkCell::line, corners, 1, number, distance(square));
+    add(grid.cells, VtkCell::line, corners, 1, number, distance(square));
   });
 }
 
-void add_surfaces(const FlowMesh& mesh, std::span<const WallSaddle> saddles, const FlowGraph& graph, VtkGrid& grid) {
-  const auto first = static_cast<std::uint32_t>(grid.points.size());
-  grid.points.insert(grid.points.end(), mesh.points.begin(), mesh.points.end());
+void add_surfaces(const FlowMesh& mesh, std::span<const WallSaddle> saddles, const FlowGraph& graph, TracedGrid& grid) {
+  const auto first = static_cast<std::uint32_t>(grid.cells.points.size());
+  grid.cells.points.insert(grid.cells.points.end(), mesh.points.begin(), mesh.points.end());
+  grid.origins.add(origins_of(mesh, graph.cells().triangulation()));
   const CriticalValues values(graph.cells().triangulation());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     std::array<std::uint32_t, 3> corners = mesh.triangles[t];
     for (std::uint32_t& corner : corners) corner += first;
     const std::uint32_t saddle = mesh.saddle_of[t];
-    add(grid, VtkCell::triangle, corners, 2, saddle, distance(values.of_facet(saddles[saddle].facet)));
+    add(grid.cells, VtkCell::triangle, corners, 2, saddle, distance(values.of_facet(saddles[saddle].facet)));
   }
 }
 

@@ -68,6 +68,12 @@ Json report_of(const CellSignCounts& counts) {
           {"spheres", of_filter({counts.sphere_calls, counts.spheres})}};
 }
 
+Json report_of_edges(std::size_t edges, bool has_lists) {
+  Json json{{"edges", edges}};
+  add_flagged(json, Json::object(), has_lists);
+  return json;
+}
+
 Json report_of(const StableSurvey& survey, bool has_lists) {
   Json json{{"triangles", survey.triangles}, {"depth", of_histogram(survey.depths, has_lists)}};
   Json flagged = Json::object();
@@ -126,6 +132,7 @@ Json report_of(const FlatSurvey& survey, bool has_lists) {
   Json flagged = Json::object();
   add_flag(json, flagged, "passed_regular_point", survey.passed_regular);
   add_flagged(json, std::move(flagged), has_lists);
+  add_crossings(json, {}, has_lists);  // none: ways turn at centres of polygons alone
   return json;
 }
 

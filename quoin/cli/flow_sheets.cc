@@ -23,18 +23,12 @@ class PolygonMaker {
     const CellSheet& sheet = sheets_.follow(cell, edge, context);
     const double at = distance(values_.of_edge(cell, edge));
     constructed_.resize(sheets_.chain().size(), none);
-    for (std::size_t i = 0; i < sheet.pieces.size(); ++i) {
-      const CellSheetPiece& piece = sheet.pieces[i];
-      if (!piece.is_bounded) {
-        ++made_.unbounded;
-        continue;
-      }
-      const std::size_t end = i + 1 < sheet.pieces.size() ? sheet.pieces[i + 1].first_corner : sheet.corners.size();
-      for (std::size_t j = piece.first_corner; j < end; ++j) made_.corners.push_back(place(sheet.corners[j]));
+    made_.unbounded += for_each_bounded_piece(sheet, [&](std::span<const SheetCorner> corners) {
+      for (const SheetCorner& corner : corners) made_.corners.push_back(place(corner));
       made_.begin.push_back(made_.corners.size());
       made_.number.push_back(number);
       made_.distance.push_back(at);
-    }
+    });
   }
   SheetPolygons take() { return std::move(made_); }
 
@@ -96,7 +90,7 @@ Mesh mesh_of_sheets(const SheetPolygons& sheets) {
   return mesh;
 }
 
-VtkGrid grid_of_regions(const FlowGraph& graph, const Context& context) {
+TracedGrid grid_of_regions(const FlowGraph& graph, const Context& context) {
   const FlowRegions found = flow_regions(graph, context);
   // All walls once; where the triangles of each saddle begin.
   std::vector<WallSaddle> walls;
@@ -111,7 +105,8 @@ VtkGrid grid_of_regions(const FlowGraph& graph, const Context& context) {
   std::vector<std::size_t> begin(walls.size() + 1, 0);
   for (const std::uint32_t saddle : mesh.saddle_of) ++begin[saddle + 1];
   for (std::size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];
-  VtkGrid grid;
+  TracedGrid traced{.cells = {}, .origins = origins_of(mesh, graph.cells().triangulation())};
+  VtkGrid& grid = traced.cells;
   grid.points = mesh.points;
   grid.cell_integers = {{"index", {}}, {"number", {}}, {"walls", {}}, {"beside_infinity", {}}};
   grid.cell_doubles = {{"distance", {}}};
@@ -135,7 +130,7 @@ VtkGrid grid_of_regions(const FlowGraph& graph, const Context& context) {
     for (std::size_t i = 0; i < numbers.size(); ++i) grid.cell_integers[i].second.push_back(numbers[i]);
     grid.cell_doubles[0].second.push_back(distance(graph.maxima()[region.maximum].square));
   }
-  return grid;
+  return traced;
 }
 
 }  // namespace quoin::cli

@@ -3,9 +3,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "quoin/base/context.h"
+#include "quoin/cli/flow_outputs.h"
 #include "quoin/flow/flow_regions.h"
 #include "quoin/flow/saddle_sheets.h"
 #include "quoin/io/vtk_grid.h"
@@ -26,12 +28,25 @@ struct SheetPolygons {
 };
 SheetPolygons sheet_polygons(const FlowCells& flow, const Context& context);
 
+/// Corners of each piece that does not reach to infinity; how many do.
+template <class Visit>
+std::size_t for_each_bounded_piece(const CellSheet& sheet, const Visit& visit) {
+  std::size_t unbounded = 0;
+  for (std::size_t i = 0; i < sheet.pieces.size(); ++i) {
+    const CellSheetPiece& piece = sheet.pieces[i];
+    const std::size_t end = i + 1 < sheet.pieces.size() ? sheet.pieces[i + 1].first_corner : sheet.corners.size();
+    if (piece.is_bounded) visit(std::span(sheet.corners).subspan(piece.first_corner, end - piece.first_corner));
+    unbounded += piece.is_bounded ? 0 : 1;
+  }
+  return unbounded;
+}
+
 /// Polygons with `index`, `number` and `distance`.
 VtkGrid grid_of_sheets(const SheetPolygons& sheets);
 Mesh mesh_of_sheets(const SheetPolygons& sheets);
 
 /// Polyhedra: regions of maxima with their walls as faces, and with `index`, `number` (of the maximum), `walls` (how
 /// many saddles), `beside_infinity` and `distance` (of the maximum).
-VtkGrid grid_of_regions(const FlowGraph& graph, const Context& context);
+TracedGrid grid_of_regions(const FlowGraph& graph, const Context& context);
 
 }  // namespace quoin::cli

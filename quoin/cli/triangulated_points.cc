@@ -6,6 +6,7 @@
 #include "quoin/base/error.h"
 #include "quoin/cli/delone_faces.h"
 #include "quoin/cli/point_input.h"
+#include "quoin/cli/point_origins.h"
 #include "quoin/triangulation/check2.h"
 #include "quoin/triangulation/check3.h"
 #include "quoin/triangulation/delone.h"
@@ -45,7 +46,7 @@ class Vertices {
 
 /// Delaunay2 and Regular2.
 template <class Triangulation>
-TriangulatedPoints take_plane(const Triangulation& t, const Delone2* delone, bool is_written, const Context& context) {
+TriangulatedPoints take_plane(const Triangulation& t, const Delone2& delone, bool is_written, const Context& context) {
   TriangulatedPoints result;
   result.dimension = t.dimension();
   Vertices vertices(result, is_written);
@@ -57,13 +58,17 @@ TriangulatedPoints take_plane(const Triangulation& t, const Delone2* delone, boo
     ++result.cells;
     if (!is_written) return;
     result.simplices.push_back(cell);
-    if (delone != nullptr) result.delone_of.push_back(label);
+    result.delone_of.push_back(label);
   };
   if (t.dimension() < 2) {
     const std::span<const Vertex2> line = t.line();
-    for (std::uint32_t i = 1; i < line.size(); ++i) add_cell({line[i - 1].value, line[i].value, none, none}, i - 1);
-    if (line.size() == 1) add_cell({line[0].value, none, none, none}, 0);
-    if (delone != nullptr) result.delone = result.cells;
+    std::uint32_t label = 0;
+    for (std::uint32_t i = 1; i < line.size(); ++i) {
+      add_cell({line[i - 1].value, line[i].value, none, none}, label);
+      if (delone.is_corner(line[i])) ++label;  // of weighted points ties are inside the edges
+    }
+    if (line.size() == 1) add_cell({line[0].value, none, none, none}, label++);
+    result.delone = label;
     result.hull_vertices = std::min<std::size_t>(line.size(), 2);
     result.hull_simplices = result.hull_vertices;
     return result;
@@ -76,17 +81,17 @@ TriangulatedPoints take_plane(const Triangulation& t, const Delone2* delone, boo
       continue;
     }
     const std::array<Vertex2, 3> v = links.corners(Triangle2(i));
-    add_cell({v[0].value, v[1].value, v[2].value, none}, delone != nullptr ? delone->cell(Triangle2(i)).value : 0);
+    add_cell({v[0].value, v[1].value, v[2].value, none}, delone.cell(Triangle2(i)).value);
   }
   result.hull_vertices = result.hull_simplices;
-  if (delone != nullptr) result.delone = delone->cell_count();
+  result.delone = delone.cell_count();
   return result;
 }
 
 /// Delaunay3 and Regular3. `number` has for each vertex its number among those that are not hidden.
 template <class Triangulation>
 TriangulatedPoints take_space(const Triangulation& t, const std::vector<std::uint32_t>& number,
-                              const DeloneLabels* labels, bool is_written, const Context& context) {
+                              const DeloneLabels& labels, bool is_written, const Context& context) {
   TriangulatedPoints result;
   result.dimension = t.dimension();
   const auto size = static_cast<std::size_t>(t.dimension()) + 1;
@@ -107,12 +112,12 @@ TriangulatedPoints take_space(const Triangulation& t, const std::vector<std::uin
     ++result.cells;
     if (!is_written) continue;
     result.simplices.push_back(vertices);
-    if (labels != nullptr) result.delone_of.push_back(labels->cell_of[c]);
+    result.delone_of.push_back(labels.cell_of[c]);
   }
   result.hull_vertices = static_cast<std::size_t>(std::ranges::count(is_on_hull, true));
   if (t.dimension() == 0) result.hull_vertices = 1;
   if (t.dimension() < 2) result.hull_simplices = result.hull_vertices;
-  if (labels != nullptr) result.delone = labels->cell_count;
+  result.delone = labels.cell_count;
   return result;
 }
 
@@ -125,7 +130,7 @@ TriangulatedPoints triangulate_plane(const PointFile& file, const TriangulateOpt
     context.progress("check", 0);
     require_proof(defect(t, points, context));
   }
-  TriangulatedPoints result = take_plane(t, &delone, options.is_written, context);
+  TriangulatedPoints result = take_plane(t, delone, options.is_written, context);
   if (options.delone) result.delone_faces = delone_faces(t, delone, context);
   result.distinct = result.vertices;
   for (std::uint32_t v = 0; v < t.vertex_count(); ++v) {
@@ -138,7 +143,8 @@ TriangulatedPoints triangulate_plane(const PointFile& file, const TriangulateOpt
 TriangulatedPoints triangulate_weighted_plane(const PointFile& file, const TriangulateOptions& options,
                                               const Context& context) {
   const Regular2 t(weighted_plane_points(file), context);
-  TriangulatedPoints result = take_plane(t, nullptr, options.is_written, context);
+  context.progress("Delone cells", 0);
+  TriangulatedPoints result = take_plane(t, Delone2(t, context), options.is_written, context);
   result.hidden = t.hidden().size();
   result.distinct = distinct_places(file);
   return result;
@@ -152,7 +158,7 @@ TriangulatedPoints triangulate_space(const PointFile& file, const TriangulateOpt
     context.progress("check", 0);
     require_proof(defect(t, file.points, context));
   }
-  TriangulatedPoints result = take_space(t, {}, &labels, options.is_written, context);
+  TriangulatedPoints result = take_space(t, {}, labels, options.is_written, context);
   if (options.delone) result.delone_faces = delone_faces(t, context);
   Vertices vertices(result, options.is_written);
   for (std::uint32_t v = 0; v < t.vertex_count(); ++v) {
@@ -179,7 +185,8 @@ TriangulatedPoints triangulate_weighted_space(const PointFile& file, const Trian
     }
     seen += inputs.back().size();
   }
-  TriangulatedPoints result = take_space(t, number, nullptr, options.is_written, context);
+  context.progress("Delone cells", 0);
+  TriangulatedPoints result = take_space(t, number, delone_labels(t, context), options.is_written, context);
   Vertices vertices(result, options.is_written);
   for (const std::vector<std::uint32_t>& list : inputs) vertices.add(list);
   result.distinct = t.vertex_count();
@@ -212,11 +219,7 @@ VtkGrid grid_of(const TriangulatedPoints& triangulated, const PointFile& file) {
   static constexpr std::array<VtkCell, 4> types{VtkCell::vertex, VtkCell::line, VtkCell::triangle,
                                                 VtkCell::tetrahedron};
   const auto dimension = static_cast<std::size_t>(triangulated.dimension);
-  for (const std::uint32_t i : triangulated.first_input) {
-    grid.points.push_back(file.points[i]);
-    if (!file.normals.empty()) grid.normals.push_back(file.normals[i]);
-    if (!file.colors.empty()) grid.colors.push_back(file.colors[i]);
-  }
+  for (const std::uint32_t i : triangulated.first_input) grid.points.push_back(file.points[i]);
   const bool has_simplices = triangulated.delone_faces.cell_count() == 0;
   if (has_simplices) {
     for (const auto& simplex : triangulated.simplices) grid.add_cell(types[dimension], {simplex.data(), dimension + 1});
@@ -225,13 +228,7 @@ VtkGrid grid_of(const TriangulatedPoints& triangulated, const PointFile& file) {
   }
   grid.point_integers.emplace_back("input", triangulated.first_input);
   grid.point_integers.emplace_back("multiplicity", triangulated.multiplicity);
-  const auto add_doubles = [&](const char* name, const std::vector<double>& values) {
-    if (values.empty()) return;
-    grid.point_doubles.emplace_back(name, std::vector<double>());
-    for (const std::uint32_t i : triangulated.first_input) grid.point_doubles.back().second.push_back(values[i]);
-  };
-  add_doubles("intensity", file.intensities);
-  add_doubles("weight", file.weights);
+  add_data(grid, data_of(file, triangulated.first_input));
   if (has_simplices && !triangulated.delone_of.empty())
     grid.cell_integers.emplace_back("delone_cell", triangulated.delone_of);
   return grid;

@@ -21,7 +21,7 @@ struct TriangulatedPoints {
   std::size_t distinct = 0;              ///< places with points
   std::size_t vertices = 0;              ///< fewer where weights hide points
   std::size_t cells = 0;                 ///< simplices of that dimension
-  std::optional<std::size_t> delone;     ///< Delone cells, where there are no weights
+  std::size_t delone = 0;                ///< Delone cells
   std::size_t hull_vertices = 0;         ///< on the boundary of the hull
   std::size_t hull_simplices = 0;        ///< that make this boundary
   std::size_t largest_multiplicity = 1;  ///< most points at one vertex
@@ -32,7 +32,7 @@ struct TriangulatedPoints {
   std::vector<std::uint32_t> first_input;               ///< by vertex
   std::vector<std::uint32_t> multiplicity;              ///< by vertex
   std::vector<std::array<std::uint32_t, 4>> simplices;  ///< dimension + 1 vertices
-  std::vector<std::uint32_t> delone_of;                 ///< by simplex; empty with weights
+  std::vector<std::uint32_t> delone_of;                 ///< by simplex
   ExactCells delone_faces;                              ///< see delone_faces.h; if asked for
   std::vector<std::array<std::uint32_t, 3>> hull;       ///< of dimension 3, counterclockwise from outside
 };

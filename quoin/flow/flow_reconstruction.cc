@@ -62,14 +62,15 @@ class MeshMaker {
  private:
   static constexpr std::uint32_t none = 0xFFFFFFFF;
 
-  std::uint32_t add_point(const RationalPoint3& p) {
+  std::uint32_t add_point(const RationalPoint3& p, std::uint32_t vertex = FlowMesh::constructed) {
+    mesh_.vertex_of.push_back(vertex);
     mesh_.points.push_back(to_nearest_doubles(p));
     if (options_.keeps_exact_points) mesh_.exact_points.push_back(p);
     return static_cast<std::uint32_t>(mesh_.points.size() - 1);
   }
   std::uint32_t corner(std::uint32_t vertex) {
     const auto [at, is_new] = corners_.try_emplace(vertex, 0);
-    if (is_new) at->second = add_point(exact_point(flow_.triangulation().point(vertex)));
+    if (is_new) at->second = add_point(exact_point(flow_.triangulation().point(vertex)), vertex);
     return at->second;
   }
   std::uint32_t midpoint(const std::array<std::uint32_t, 2>& edge) {

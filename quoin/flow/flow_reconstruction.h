@@ -47,9 +47,12 @@ std::vector<WallSaddle> walls_between(const FlowGraph& graph, std::span<const st
 
 /// Triangles with shared corners.
 struct FlowMesh {
+  static constexpr std::uint32_t constructed = 0xFFFFFFFF;
+
   std::vector<Point3> points;  ///< vertices of the triangulation that are used, midpoints, and constructed points
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::vector<std::uint32_t> saddle_of;  ///< of each triangle, by place in the list of saddles
+  std::vector<std::uint32_t> vertex_of;                 ///< by point: the vertex of the triangulation, or `constructed`
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< the first corner is a vertex of the triangulation
+  std::vector<std::uint32_t> saddle_of;                 ///< of each triangle, by place in the list of saddles
   std::size_t not_ordinary = 0;  ///< surfaces that are not what they are in general position; their triangles' sides
                                  ///< and boundaries may be wrong
   std::vector<RationalPoint3> exact_points;  ///< what the points are rounded from, if asked for

@@ -124,21 +124,37 @@ SaddleEnd SaddleArcs::end(std::uint32_t cell, const Context& context) {
   return found;
 }
 
-std::optional<ArcLeg> SaddleArcs::way_on(std::uint32_t first, const Context& context, double part) {
-  if (end_[first] == unknown) return std::nullopt;
+template <class Visit>
+bool SaddleArcs::visit_way(std::uint32_t first, const Context& context, std::optional<std::uint32_t>& next,
+                           const Visit& visit) {
+  if (end_[first] == unknown) return false;
   const Histogram cascades = cascades_;
   const Leg way = leg(first, context);
   cascades_ = cascades;
-  if (way.segments == 0) return std::nullopt;
-  ArcLeg found;
+  if (way.segments == 0) return false;
   const bool crosses = flow_.way(first).kind == CellWay::Kind::edge;
+  for (std::uint32_t i = 1; crosses && i < crosser_.chain().size(); ++i) visit(i);
+  const std::uint32_t behind = way.next & ~has_passed;
+  if (behind < first_saddle) next = behind;
+  return true;
+}
+
+std::optional<ArcLeg> SaddleArcs::way_on(std::uint32_t first, const Context& context, double part) {
+  ArcLeg found;
   const double unscale = flow_.triangulation().unscale();
-  for (std::uint32_t i = 1; crosses && i < crosser_.chain().size(); ++i) {
-    const Point3 p = crosser_.chain().near_point(i, part);
+  const auto add = [&](std::uint32_t node) {
+    const Point3 p = crosser_.chain().near_point(node, part);
     found.points.push_back({p.x * unscale, p.y * unscale, p.z * unscale});
-  }
-  const std::uint32_t next = way.next & ~has_passed;
-  if (next < first_saddle) found.next = next;
+  };
+  if (!visit_way(first, context, found.next, add)) return std::nullopt;
+  return found;
+}
+
+std::optional<ExactArcLeg> SaddleArcs::exact_way_on(std::uint32_t first, const Context& context) {
+  ExactArcLeg found;
+  const Rational unscale(flow_.triangulation().unscale());
+  const auto add = [&](std::uint32_t node) { found.points.push_back(crosser_.chain().exact_point(node) * unscale); };
+  if (!visit_way(first, context, found.next, add)) return std::nullopt;
   return found;
 }
 

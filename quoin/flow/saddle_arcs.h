@@ -34,6 +34,12 @@ struct ArcLeg {
   std::optional<std::uint32_t> next;  ///< the Delone cell whose centre it leads to, where it does
 };
 
+/// The same with exact points.
+struct ExactArcLeg {
+  std::vector<RationalPoint3> points;
+  std::optional<std::uint32_t> next;
+};
+
 /// The ways from saddles to maxima and infinity, for all of them: what ArcTracer tells, in the time of a few
 /// triangulations at most. Each Voronoi vertex is advanced once; 6 bytes per simplex, 8 where a way has more than
 /// 65,535 segments. Ways go on behind stationary points that are not critical.
@@ -50,6 +56,8 @@ class SaddleArcs {
   /// The way of a Delone cell's centre to the next Voronoi vertex or to the end. Nothing for cells that are on no way
   /// that was asked for, and for those where ways end. @throws Cancelled
   std::optional<ArcLeg> way_on(std::uint32_t first, const Context& context, double part = 0x1p-30);
+  /// Points constructed in a row take the more bits the longer it is.
+  std::optional<ExactArcLeg> exact_way_on(std::uint32_t first, const Context& context);
 
   /// Constructed points between consecutive Voronoi vertices, for each vertex from which orbits cross facets.
   const Histogram& cascades() const { return cascades_; }
@@ -62,6 +70,10 @@ class SaddleArcs {
     std::uint32_t segments = 0;
   };
   Leg leg(std::uint32_t first, const Context& context);
+  /// The leg whose points the chain has then, as `way_on` tells it: calls `visit(node)` for each; false if there is
+  /// none.
+  template <class Visit>
+  bool visit_way(std::uint32_t first, const Context& context, std::optional<std::uint32_t>& next, const Visit& visit);
   void cross(const CellWay& way, Leg& leg, const Context& context);
   std::uint32_t along(CellFacet facet, bool is_above) const;
   void trace(std::uint32_t first, const Context& context);

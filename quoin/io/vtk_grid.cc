@@ -86,8 +86,12 @@ class VtkWriter {
       if constexpr (std::is_floating_point_v<Number>) {
         if (!std::isfinite(value))
           throw InputError("a number '" + name + "' is beyond the largest double: VTK cannot hold it");
+        number(value).text("\n");
+      } else if (value == VtkGrid::none) {
+        text("-1\n");
+      } else {
+        number(value).text("\n");
       }
-      number(value).text("\n");
     }
   }
 

@@ -28,6 +28,8 @@ enum class VtkCell : std::uint8_t {
 
 /// An unstructured grid: cells over points, and numbers for each.
 struct VtkGrid {
+  static constexpr std::uint32_t none = 0xFFFFFFFF;  ///< of a whole number that is not there: written as -1
+
   std::vector<Point3> points;
   std::vector<std::uint32_t> cells;  ///< one after the other
   std::vector<std::size_t> cell_begin{0};

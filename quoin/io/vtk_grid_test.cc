@@ -32,14 +32,15 @@ TEST(VtkGrid, TextOfTheFormat) {
   EXPECT_EQ(written(grid, "a\nb"),
             "# vtk DataFile Version 3.0\na b\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 double\n0.1 0 0\n1 0 0\n0 1 "
             "0\n0 0 1e+300\nCELLS 2 8\n4 0 1 2 3\n2 0 3\nCELL_TYPES 2\n10\n3\n");
-  grid.point_integers.push_back({"input", {4, 3, 2, 1}});
+  grid.point_integers.push_back({"input", {4, 3, VtkGrid::none, 1}});
   grid.colors.assign(4, {255, 0, 0, 255});
   grid.normals.assign(4, {0, 0, 1});
   grid.cell_doubles.push_back({"volume", {0.5, 0}});
   const std::string text = written(grid, "");
-  EXPECT_NE(text.find("POINT_DATA 4\nSCALARS input int 1\nLOOKUP_TABLE default\n4\n3\n2\n1\nCOLOR_SCALARS color 4\n1 0 "
-                      "0 1\n"),
-            std::string::npos);
+  EXPECT_NE(
+      text.find("POINT_DATA 4\nSCALARS input int 1\nLOOKUP_TABLE default\n4\n3\n-1\n1\nCOLOR_SCALARS color 4\n1 0 "
+                "0 1\n"),
+      std::string::npos);
   EXPECT_NE(text.find("NORMALS normal double\n0 0 1\n"), std::string::npos);
   EXPECT_NE(text.find("CELL_DATA 2\nSCALARS volume double 1\nLOOKUP_TABLE default\n0.5\n0\n"), std::string::npos);
 }

@@ -69,6 +69,13 @@ class Cells:
                    for f in self.faces(cell) for k in range(1, len(f) - 1)) / 6
 
 
+def nearest_of(p, points, relative=0):
+    """Exactly, or all whose squared distances are that near to the least one."""
+    squares = {q: dot(minus(p, q), minus(p, q)) for q in points}
+    most = min(squares.values()) * (1 + Fraction(relative))
+    return {q for q, square in squares.items() if square <= most}
+
+
 class CellsTest(CommandTest):
     def cells_of(self, command, points, *words):
         text = points if isinstance(points, str) else text_of(points)
@@ -250,7 +257,43 @@ class Flow(CellsTest):
         _, exact = self.cells_of("flow", points, "--stable", "1")
         self.assertEqual({len(parts) for _, parts in exact.cells}, {2})
         self.assertEqual(self.betti()[0], 1)
-        self.run_quoin("flow", "missing.xyz", "--unstable", "2", "-o", "p.qcells", code=USAGE)
+
+    def test_ways_are_on_voronoi_edges_and_facets(self):
+        for points in (cloud(25, 3, seed=7), cloud(40, 3, seed=8, grid=5)):
+            _, exact = self.cells_of("flow", points, "--unstable", "2", "-o", "p.vtk")
+            self.check_beside_vtk(exact)
+            for p in exact.points:
+                squares = sorted(dot(minus(p, q), minus(p, q)) for q in set(points))
+                self.assertEqual(squares[0], squares[1])
+            # Both ends of a segment have two nearest points in common: it is in their facet.
+            nearest = [nearest_of(p, points) for p in exact.points]
+            for kind, (a, b) in exact.cells:
+                self.assertEqual(kind, "simplex")
+                self.assertGreaterEqual(len(nearest[a] & nearest[b]), 2)
+
+    def test_sheets_are_convex_pieces_of_voronoi_facets(self):
+        for points in (cloud(20, 3, seed=7), cloud(30, 3, seed=8, grid=4)):
+            report, exact = self.cells_of("flow", points, "--unstable", "1", "-o", "p.vtk")
+            self.check_beside_vtk(exact)
+            nearest = [nearest_of(p, points) for p in exact.points]
+            for kind, corners in exact.cells:
+                self.assertEqual(kind, "polygon")
+                a, b = sorted(set.intersection(*(nearest[v] for v in corners)))[:2]
+                corners = [exact.points[v] for v in corners]
+                sides = [minus(q, p) for p, q in zip(corners, corners[1:] + corners[:1])]
+                turns = [determinant([minus(b, a), s, t]) for s, t in zip(sides, sides[1:] + sides[:1])]
+                self.assertEqual(len({turn > 0 for turn in turns if turn != 0}), 1)
+            self.assertEqual(set(exact.of_cell["index"]), {1})
+            self.assertTrue(any("reach to infinity" in w for w in report["warnings"]))
+
+    def check_beside_vtk(self, exact):
+        """The same cells, in the same order, with places that are rounded there."""
+        points, cells, arrays = read_vtk(self.read("p.vtk").decode())
+        self.assertEqual(exact.of_cell["number"], arrays["number"])
+        for (_, corners), (_, exact_corners) in zip(cells, exact.cells, strict=True):
+            for v, w in zip(corners, exact_corners, strict=True):
+                for x, y in zip(points[v], exact.points[w]):
+                    self.assertAlmostEqual(x, float(y), delta=1e-5 * max(1, max(map(abs, points[v]))))
 
     def test_shapes_of_points_of_a_plane(self):
         points = [(x, y, 7) for x in range(6) for y in range(6) if (x * y) % 4 != 1]
@@ -285,6 +328,84 @@ class Reading(CellsTest):
         self.assertIn("quoin-cells", self.run_quoin("homology", "bad.qcells", code=REFUSED).stderr)
         self.run_quoin("homology", "missing.qcells", code=None)
         self.run_quoin("union", "a.off", "b.off", "-o", "u.qcells", code=USAGE)
+
+
+class FlowOfKnownPoints(CellsTest):
+    """Points that are given keep what is known of them; those made on surfaces have the mean of what surrounds them."""
+
+    def write_points(self, points):
+        self.known = {p: (*n, i % 256, 3 * i % 256, 7, i / 4)
+                      for i, (p, n) in enumerate(zip(points, cloud(len(points), 3, seed=2)))}
+        self.write("p.csv", "x,y,z,nx,ny,nz,r,g,b,intensity\n" + text_of([p + k for p, k in self.known.items()], ","))
+        self.inputs = list(self.known)
+
+    def check_mean(self, inputs, known):
+        """Up to the rounding of colours, whose channels are then of 255."""
+        rows = [self.known[p] for p in inputs]
+        for k, value in enumerate(known):
+            is_color = 3 <= k < 6
+            self.assertAlmostEqual(value, sum(row[k] for row in rows) / len(rows), delta=0.5 + 1e-9 if is_color else 1e-9)
+
+    def check_vtk(self, triangles):
+        points, cells, arrays = read_vtk(self.read("f.vtk").decode())
+        around = [set() for _ in points]
+        for _, corners in cells if triangles else []:
+            for v in corners:
+                around[v] |= {int(arrays["input"][w]) for w in corners if arrays["input"][w] >= 0}
+        made = 0
+        for v, p in enumerate(points):
+            known = (*arrays["normal"][v], *[255 * c for c in arrays["color"][v][:3]], arrays["intensity"][v])
+            given = int(arrays["input"][v])
+            if given >= 0:
+                self.assertEqual(p, self.inputs[given])
+                self.check_mean([p], known)
+            else:
+                made += 1
+                nearest = nearest_of(p, self.inputs, 1e-9)
+                self.check_mean([self.inputs[i] for i in around[v]] if triangles else nearest, known)
+                self.assertLessEqual({self.inputs[i] for i in around[v]}, nearest)
+        return made
+
+    def test_grids(self):
+        self.write_points(cloud(30, 3, seed=3))
+        for words, triangles, has_made in (([], False, True), (["--stable", "1"], False, False), (["--stable", "2"], True, True),
+                                           (["--simplify", "0.01"], True, True)):
+            self.run_quoin("flow", "p.csv", *words, "-o", "f.vtk")
+            self.assertEqual(self.check_vtk(triangles) > 0, has_made, words)
+
+    def test_points_of_a_plane(self):
+        self.write_points(sorted({(x, y, 2.0) for x, y in cloud(40, 2, seed=3, grid=9)}))
+        self.run_quoin("flow", "p.csv", "-o", "f.vtk")
+        self.assertGreater(self.check_vtk(False), 0)
+        self.run_quoin("flow", "p.csv", "--stable", "2", "-o", "f.vtk")
+        self.assertGreater(self.check_vtk(True), 0)
+
+    def test_exact_text_and_meshes(self):
+        self.write_points(cloud(30, 3, seed=3))
+        for words in ([], ["--stable", "2"], ["--shape", "0.3"], ["--stable", "1"]):
+            self.run_quoin("flow", "p.csv", *words, "-o", "f.qcells")
+            exact = Cells(self.read("f.qcells").decode())
+            for v, given in enumerate(exact.of_point["input"]):
+                known = [exact.of_point[name][v] for name in "nx ny nz red green blue intensity".split()]
+                if given is not None:
+                    self.assertEqual(exact.points[v], self.inputs[int(given)])
+                    self.check_mean([self.inputs[int(given)]], known)
+        self.run_quoin("flow", "p.csv", "--stable", "2", "-o", "f.ply", "-o", "f.vtk")
+        points, _, arrays = read_vtk(self.read("f.vtk").decode())
+        header, body = self.read("f.ply").split(b"end_header\n", 1)
+        self.assertIn(f"element vertex {len(points)}\n", header.decode())
+        for v, p in enumerate(points):
+            x = struct.unpack_from("<6d4Bd", body, 60 * v)
+            self.assertEqual((x[:3], x[3:6], x[10]), (p, arrays["normal"][v], arrays["intensity"][v]))
+            self.assertEqual(x[6:10], tuple(round(255 * c) for c in arrays["color"][v]))
+
+    def test_what_is_away_from_points_has_nothing_of_theirs(self):
+        self.write_points(cloud(20, 3, seed=3))
+        for index in ("1", "2"):
+            report = self.json_of("flow", "p.csv", "--unstable", index, "-o", "f.vtk", "-o", "f.qcells")
+            self.assertEqual(len([w for w in report["warnings"] if "those are of points" in w]), 3)
+            self.assertNotIn("normal", read_vtk(self.read("f.vtk").decode())[2])
+            self.assertEqual(set(Cells(self.read("f.qcells").decode()).of_point), {"input"})
 
 
 class Meshes(CellsTest):

@@ -576,21 +576,33 @@ class Flow(CommandTest):
         self.assertNotIn("separation", flat)
         self.assertIn("not separated", flat["warnings"][0])
 
+    def test_all_at_once(self):
+        self.write("c.xyz", text_of(cloud(40, 3, seed=6)))
+        asked = [["--stable", "2"], ["--unstable", "2"], ["--shape", "0.2"], ["--simplify", "0.01"], ["--reconstruct"]]
+        together = self.json_of("flow", "c.xyz", *[word for words in asked for word in words])
+        for words, name in zip(asked, ("stable", "unstable", "shape", "simplified", "solid")):
+            self.assertEqual(together[name], self.json_of("flow", "c.xyz", *words)[name])
+        edges = self.json_of("flow", "c.xyz", "--stable", "1")
+        self.assertEqual(edges["stable"], {"edges": edges["critical"][1], "flagged": {}})
+        self.json_of("flow", "c.xyz", "--stable", "2", "--unstable", "1", "-o", "c.svg")
+
     def test_mistakes(self):
         self.write("c.xyz", text_of(CUBE))
         for mistake in (["--stable", "4"], ["--unstable", "3"], ["--shape", "-1"], ["--shape", "nan"], ["--ratio", "0.3"],
-                        ["--simplify", "x"], ["--reconstruct", "--ratio", "2"], ["--reconstruct", "--shape", "1"],
+                        ["--simplify", "x"], ["--reconstruct", "--ratio", "2"], ["--reconstruct", "--shape", "1", "-o", "x.vtk"],
                         ["--stable", "2", "--unstable", "2", "-o", "x.vtk"], ["-o", "x.stl"], ["-o", "x.svg"]):
             self.run_quoin("flow", "c.xyz", *mistake, code=USAGE)
         self.assertIn("more than --memory", self.run_quoin("flow", "c.xyz", "--memory", "0.001", code=REFUSED).stderr)
 
     def test_order_and_extremes(self):
         points = cloud(40, 3, seed=5)
-        text = self.run_quoin("flow", "-", "--stable", "2", "-o", "-", stdin=text_of(points)).stdout
         shuffled = points[:]
         random.Random(1).shuffle(shuffled)
-        again = self.run_quoin("flow", "-", "--stable", "2", "-o", "-", stdin=text_of(shuffled)).stdout
-        self.assertEqual(text, again)
+        found, again = [read_vtk(self.run_quoin("flow", "-", "--stable", "2", "-o", "-", stdin=text_of(given)).stdout)
+                        for given in (points, shuffled)]
+        places = [[given[int(i)] if i >= 0 else None for i in arrays.pop("input")]
+                  for given, (_, _, arrays) in ((points, found), (shuffled, again))]
+        self.assertEqual((places[0], found), (places[1], again))
         expected = self.json_of("flow", "-", "--unstable", "2", stdin=text_of(points))
         for factor in (2.0 ** 900, 2.0 ** -900):
             scaled = [tuple(c * factor for c in p) for p in points]
