@@ -25,13 +25,15 @@ def help_of(*words):
     return output_of(quoin, *words, "--help")
 
 
-def offered_by_bash(*words, folder):
-    return set(output_of("bash", "-c", TELL_MATCHES, "bash", FOLDER / "quoin.bash", "quoin", *words, cwd=folder).split())
+def offered_by_bash(cases, folder):
+    return [set(output_of("bash", "-c", TELL_MATCHES, "bash", FOLDER / "quoin.bash", "quoin", *words, cwd=folder).split())
+            for words in cases]
 
 
-def offered_by_zsh(*words, folder):
-    line = " ".join(["quoin", *words])
-    return set(output_of("zsh", "-f", source / "tests/completion/matches.zsh", FOLDER, line, cwd=folder).split())
+def offered_by_zsh(cases, folder):
+    lines = [" ".join(["quoin", *words]) for words in cases]
+    text = output_of("zsh", "-f", source / "tests/completion/matches.zsh", FOLDER, *lines, cwd=folder)
+    return [set(part.split()) for part in re.findall(r"((?:.+\n)*)\n", text)]
 
 
 def differences(shell, offered, folder):
@@ -40,8 +42,9 @@ def differences(shell, offered, folder):
     for name in sorted(commands):
         cases.append(((name, "--"), set(re.findall(r"--[a-z-]+", help_of(name).split("Options:")[1]))))
     cases.append((("info", ""), {"cube.off"}))
-    for words, expected in cases:
-        found = offered(*words, folder=folder)
+    found_of = offered([words for words, _ in cases], folder)
+    assert len(found_of) == len(cases), f"{shell} answers {len(found_of)} of {len(cases)} lines"
+    for (words, expected), found in zip(cases, found_of):
         if words == ("",):
             found = {f for f in found if not f.startswith("-")}
         if found != expected:
