@@ -5,11 +5,13 @@
 #include <chrono>
 #include <cstdio>
 #include <exception>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "command_words.h"
 #include "filtered_simplices.h"
+#include "interval_sum.h"
 #include "peak_memory.h"
 #include "quoin/topology/homology.h"
 #include "quoin/topology/persistence.h"
@@ -40,6 +42,7 @@ void run(const std::vector<std::string>& words, const Settings& settings) {
   double build = 1e300;
   double best = 1e300;
   std::vector<std::size_t> pairs;
+  IntervalSum intervals;
   std::size_t count = 0;
   for (int round = 0; round < settings.rounds; ++round) {
     const auto start = Clock::now();
@@ -51,12 +54,22 @@ void run(const std::vector<std::string>& words, const Settings& settings) {
     build = std::min(build, seconds(start, built));
     best = std::min(best, seconds(built, end));
     pairs.assign(filtration.complex.dimension() + 1, 0);
-    for (const quoin::PersistencePair& pair : found) ++pairs[pair.degree];
+    intervals = {};
+    const auto value = [&](int dimension, std::uint32_t simplex) {
+      return grades.values[filtration.grade[static_cast<std::size_t>(dimension)][simplex]];
+    };
+    for (const quoin::PersistencePair& pair : found) {
+      ++pairs[pair.degree];
+      const bool ends = pair.death != quoin::PersistencePair::never;
+      intervals.add(pair.degree, value(pair.degree, pair.birth),
+                    ends ? value(pair.degree + 1, pair.death) : std::numeric_limits<double>::infinity());
+    }
     count = filtration.complex.size();
   }
   std::printf("{\"simplices\": %zu, \"build_seconds\": %.9f, \"seconds\": %.9f, \"pairs\": [", count, build, best);
   for (std::size_t k = 0; k < pairs.size(); ++k) std::printf("%s%zu", k == 0 ? "" : ", ", pairs[k]);
-  std::printf("], \"input_kb\": %ld, \"peak_kb\": %ld}\n", input_kb, peak_kb());
+  std::printf("], \"intervals\": \"%016llx\", \"input_kb\": %ld, \"peak_kb\": %ld}\n",
+              static_cast<unsigned long long>(intervals.value()), input_kb, peak_kb());
 }
 
 }  // namespace

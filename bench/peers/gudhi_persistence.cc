@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "../filtered_simplices.h"
+#include "../interval_sum.h"
 #include "../peak_memory.h"
 
 namespace {
@@ -37,6 +38,7 @@ void run(const std::vector<std::string>& words, int rounds, int prime) {
   double build = 1e300;
   double best = 1e300;
   std::vector<std::size_t> pairs;
+  IntervalSum intervals;
   std::size_t count = 0;
   for (int round = 0; round < rounds; ++round) {
     const auto start = Clock::now();
@@ -57,11 +59,17 @@ void run(const std::vector<std::string>& words, int rounds, int prime) {
     best = std::min(best, seconds(built, end));
     count = tree.num_simplices();
     pairs.assign(static_cast<std::size_t>(tree.dimension()) + 1, 0);
-    for (const auto& pair : cohomology.get_persistent_pairs()) ++pairs[tree.dimension(std::get<0>(pair))];
+    intervals = {};
+    for (const auto& [birth, death, prime_of_pair] : cohomology.get_persistent_pairs()) {
+      const int degree = tree.dimension(birth);
+      ++pairs[static_cast<std::size_t>(degree)];
+      intervals.add(degree, tree.filtration(birth), tree.filtration(death));  // infinite without end
+    }
   }
   std::printf("{\"simplices\": %zu, \"build_seconds\": %.9f, \"seconds\": %.9f, \"pairs\": [", count, build, best);
   for (std::size_t k = 0; k < pairs.size(); ++k) std::printf("%s%zu", k == 0 ? "" : ", ", pairs[k]);
-  std::printf("], \"input_kb\": %ld, \"peak_kb\": %ld}\n", input_kb, peak_kb());
+  std::printf("], \"intervals\": \"%016llx\", \"input_kb\": %ld, \"peak_kb\": %ld}\n",
+              static_cast<unsigned long long>(intervals.value()), input_kb, peak_kb());
 }
 
 }  // namespace
