@@ -44,10 +44,11 @@ class PlainThreads {
         }
       }
     };
-    std::vector<std::thread> others;
-    for (std::size_t t = 1; t < std::min<std::size_t>(threads, count); ++t) others.emplace_back(work);
-    work();
-    for (std::thread& other : others) other.join();
+    {
+      std::vector<std::jthread> others;  // joined where one cannot be started
+      for (std::size_t t = 1; t < std::min<std::size_t>(threads, count); ++t) others.emplace_back(work);
+      work();
+    }
     if (failure) std::rethrow_exception(failure);
   }
 };

@@ -94,8 +94,10 @@ void ExactFlow::add_critical_points(const FlowGraph& graph) {
   }
 }
 
-std::uint32_t ExactFlow::place_constructed(const RationalPoint3& p) {
-  return place_centre(p, {});
+std::uint32_t ExactFlow::place_cell(std::uint32_t cell) {
+  const auto [at, is_new] = centres_.try_emplace(cell, 0);
+  if (is_new) at->second = place_constructed(values_.centre(cell));
+  return at->second;
 }
 
 void ExactFlow::add_ways() {
@@ -104,7 +106,7 @@ void ExactFlow::add_ways() {
   std::uint32_t number = 0;
   flow_.for_each_saddle(context_, [&](CellFacet saddle) {
     arcs.ends(saddle, context_);
-    const std::uint32_t middle = place_centre(values_.centre(saddle), flow_.vertices_of_polygon(saddle));
+    const std::uint32_t middle = place_constructed(values_.centre(saddle));
     for (const std::uint32_t cell : {saddle.cell, flow_.mate(saddle).cell}) {
       if (!flow_.is_ghost(cell)) add(std::array{middle, place_cell(flow_.first_of(cell))}, 2, number, std::nullopt);
     }

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <unordered_map>
 
 #include "quoin/base/context.h"
 #include "quoin/cli/point_origins.h"
@@ -46,8 +47,9 @@ class ExactFlow {
   std::uint32_t place_centre(const RationalPoint3& p, std::span<const std::uint32_t> vertices);
   /// The ends of an edge of a simplex, vertices.
   std::array<std::uint32_t, 2> ends(std::uint32_t cell, unsigned edge) const;
-  std::uint32_t place_cell(std::uint32_t cell) { return place_centre(values_.centre(cell), flow_.vertices_of(cell)); }
-  std::uint32_t place_constructed(const RationalPoint3& p);
+  /// Of a Delone cell, by its first simplex; and any other point, of ways and sheets.
+  std::uint32_t place_cell(std::uint32_t cell);
+  std::uint32_t place_constructed(const RationalPoint3& p) { return place_centre(p, {}); }
   void add(std::span<const std::uint32_t> corners, std::uint32_t index, std::uint32_t number,
            const std::optional<Rational>& square, ExactCellKind kind = ExactCellKind::simplex);
 
@@ -57,6 +59,7 @@ class ExactFlow {
   ExactCells cells_;
   PointOrigins origins_;
   bool is_away_ = false;                                        ///< there are ways or sheets
+  std::unordered_map<std::uint32_t, std::uint32_t> centres_;    ///< of cells, by place_cell
   std::multimap<std::array<double, 3>, std::uint32_t> places_;  ///< points by their nearest doubles
   std::vector<std::uint32_t> indices_;
   std::vector<std::uint32_t> numbers_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "quoin/cli/flow_outputs.h"
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <optional>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "quoin/cli/point_arguments.h"
 
+#include <cstdint>
+#include <limits>
 #include <string>
 
 #include "quoin/cli/command_options.h"

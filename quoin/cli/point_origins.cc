@@ -3,32 +3,35 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <utility>
+
+#include "quoin/number/rational.h"
 
 namespace quoin::cli {
 
 namespace {
 
+/// The exact mean, rounded to the nearest double.
+template <class Number>
+double mean(std::span<const std::uint32_t> at, const Number& number) {
+  Rational sum;
+  for (const std::uint32_t i : at) sum += Rational(number(i));
+  return at.empty() ? 0 : (sum / Rational(static_cast<double>(at.size()))).to_double();
+}
+
 Vector3 mean(const std::vector<Vector3>& values, std::span<const std::uint32_t> at) {
-  Vector3 sum{};
-  const auto parts = static_cast<double>(at.size());
-  for (const std::uint32_t i : at) {
-    sum.x += values[i].x / parts;
-    sum.y += values[i].y / parts;
-    sum.z += values[i].z / parts;
-  }
-  return sum;
+  return {mean(at, [&](std::uint32_t i) { return values[i].x; }),
+          mean(at, [&](std::uint32_t i) { return values[i].y; }),
+          mean(at, [&](std::uint32_t i) { return values[i].z; })};
 }
 
 double mean(const std::vector<double>& values, std::span<const std::uint32_t> at) {
-  double sum = 0;
-  for (const std::uint32_t i : at) sum += values[i] / static_cast<double>(at.size());
-  return sum;
+  return mean(at, [&](std::uint32_t i) { return values[i]; });
 }
 
 Color mean(const std::vector<Color>& values, std::span<const std::uint32_t> at) {
   Color mean{};
+  if (at.empty()) return mean;
   for (const auto channel : {&Color::r, &Color::g, &Color::b, &Color::a}) {
     std::size_t sum = 0;
     for (const std::uint32_t i : at) sum += values[i].*channel;

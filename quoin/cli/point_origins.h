@@ -62,8 +62,8 @@ class PointOrigins {
 /// the triangles around them as from any. O(n log n).
 PointOrigins origins_of(const FlowMesh& mesh, const Delaunay3& triangulation);
 
-/// What the file says of points: of given ones as it is there, of made ones the mean of those they come from, colours
-/// rounded.
+/// What the file says of points: of given ones as it is there, of made ones the exact mean of those they come from,
+/// rounded to nearest.
 VertexData data_of(const PointFile& file, const PointOrigins& origins);
 VertexData data_of(const PointFile& file, std::span<const std::uint32_t> inputs);
 

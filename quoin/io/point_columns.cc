@@ -189,7 +189,7 @@ void PointColumns::tell_unnamed(PointReport& report) {
     if (part.kind == ColumnPart::Kind::unknown) {
       report.warnings.push_back("columns " + std::to_string(before + part.first + 1) + " to " +
                                 std::to_string(before + part.first + 3) +
-                                " are neither colours from 0 to 255 nor normals of length 1: not kept");
+                                " are no colours from 0 to 255 and no normals of length 1, or a second time: not kept");
     }
   }
   unnamed_ = {};

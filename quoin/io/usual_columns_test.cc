@@ -101,12 +101,12 @@ TEST(UsualColumns, WhatIsOfNoKindIsNotKept) {
   EXPECT_TRUE(file.normals.empty());
   ASSERT_EQ(file.report.warnings.size(), 2U);  // the intensity could be the last one
   EXPECT_EQ(file.report.warnings[1],
-            "columns 8 to 10 are neither colours from 0 to 255 nor normals of length 1: not kept");
+            "columns 8 to 10 are no colours from 0 to 255 and no normals of length 1, or a second time: not kept");
   const PointFile twice = read("1 2 3 0 0 1 0 0.6 0.8\n", "a.xyz");
   EXPECT_EQ(twice.normals, (std::vector<Vector3>{{0, 0, 1}}));
-  EXPECT_EQ(
-      twice.report.warnings,
-      std::vector<std::string>{"columns 7 to 9 are neither colours from 0 to 255 nor normals of length 1: not kept"});
+  EXPECT_EQ(twice.report.warnings,
+            std::vector<std::string>{
+                "columns 7 to 9 are no colours from 0 to 255 and no normals of length 1, or a second time: not kept"});
 }
 
 TEST(UsualColumns, WhatIsNotFiniteSaysNothing) {

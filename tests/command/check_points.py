@@ -130,6 +130,23 @@ class Delaunay(CommandTest):
         plain = self.json_of("delaunay", "-", stdin=text_of(points))
         same = self.json_of("delaunay", "-", "--weighted", stdin=text_of([p + (0.25,) for p in points]))
         self.assertEqual((same["cells"], same["hidden"], same["vertices"]), (plain["cells"], 0, 30))
+        for given in (CUBE, cloud(40, 3, seed=4, grid=4), [p[:2] for p in cloud(40, 3, seed=4, grid=5)], [(x, x, x) for x in range(6)],
+                      [(1, 2, 3)] * 2):
+            plain, same = [self.json_of("delaunay", "-", *words, "-o", "w.vtk", stdin=text_of([p + more for p in given]))
+                           for words, more in (([], ()), (["--weighted"], (2.5,)))]
+            self.assertEqual(same["delone_cells"], plain["delone_cells"])
+            self.assertEqual(len(set(read_vtk(self.read("w.vtk").decode())[2]["delone_cell"])), same["delone_cells"])
+        # Lifted into one line or plane, whatever is a vertex there.
+        for given, of_line in (([(x, 0, x * x) for x in range(5)], True), ([(x, y, x * x + y * y) for x in range(4) for y in range(4)], False)):
+            report = self.json_of("delaunay", "-", "--weighted", "-o", "w.vtk", stdin=text_of(given))
+            self.assertEqual((report["delone_cells"], report["dimension"]), (1, 1 if of_line else 2))
+            self.assertEqual(set(read_vtk(self.read("w.vtk").decode())[2]["delone_cell"]), {0})
+        bent = [(x, 0, x * x - (2 if x in (0, 2, 5) else 0)) for x in range(6)]
+        lifted = [x * x - w for x, _, w in bent]
+        corners = [i for i in range(6) if not any(a < i < b and lifted[i] * (b - a) >= lifted[a] * (b - i) + lifted[b] * (i - a)
+                                                  for a in range(6) for b in range(6))]
+        report = self.json_of("delaunay", "-", "--weighted", stdin=text_of(bent))
+        self.assertEqual((report["delone_cells"], report["cells"] >= len(corners) - 1), (len(corners) - 1, True))
         heavy = [(0, 0, 0), (4, 0, 0), (0, 4, 0), (4, 4, 9)]
         report = self.json_of("delaunay", "-", "--weighted", "-o", "w.vtk", stdin=text_of(heavy + [(1, 1, -9)]))
         self.assertEqual((report["coordinates"], report["hidden"], report["vertices"]), (2, 1, 4))
@@ -257,13 +274,16 @@ class Formats(CommandTest):
         codes = []
         for megabytes in [*range(enough, enough + 30, 2), 2048]:
             done = within(megabytes, "delaunay", "many.xyz", "--threads", "4")
+            if done is None:  # at the edge it may begin, or not
+                continue
             codes.append(done.returncode)
             if done.returncode == DONE:
                 continue
             self.assertEqual(done.returncode, REFUSED, f"{megabytes} MB: {done.stderr}")
             self.assertRegex(done.stderr, "(?m)^quoin: (out of memory|cannot start a thread: .*|too little memory .*|"
                              "20000 points need about .*)$", f"{megabytes} MB")
-        self.assertEqual((codes[0], codes[-1]), (REFUSED, DONE))
+        self.assertIn(REFUSED, codes)
+        self.assertEqual(codes[-1], DONE)
 
     def test_interruption(self):
         self.write("large.xyz", text_of(cloud(200000, 3)))
