@@ -122,9 +122,9 @@ TEST(PointAttributes, OfTablesThatAreNotFinite) {
 
 TEST(PointAttributes, OfTablesThatAreNotKeptAreNotCounted) {
   EXPECT_EQ(read("1 2 3 nan inf\n", "a.xyz").report.warnings, std::vector<std::string>{"2 columns are not kept"});
-  EXPECT_EQ(
-      read("1 2 3 nan 7 9.5\n4 5 6 2 2 0.5\n", "a.xyz").report.warnings,
-      std::vector<std::string>{"columns 4 to 6 are neither colours from 0 to 255 nor normals of length 1: not kept"});
+  EXPECT_EQ(read("1 2 3 nan 7 9.5\n4 5 6 2 2 0.5\n", "a.xyz").report.warnings,
+            std::vector<std::string>{
+                "columns 4 to 6 are no colours from 0 to 255 and no normals of length 1, or a second time: not kept"});
   EXPECT_EQ(read("x,y,r,g,b\n1,2,nan,300,0\n", "a.csv").report.warnings,
             std::vector<std::string>{"colours beyond 0 to 255 are not kept"});
 }
