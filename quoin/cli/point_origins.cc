@@ -76,7 +76,7 @@ PointOrigins origins_of(const FlowMesh& mesh, const Delaunay3& triangulation) {
     for (const unsigned k : {1U, 2U}) around.emplace_back(t[k], triangulation.inputs(mesh.vertex_of[t[0]])[0]);
   }
   std::ranges::sort(around);
-  around.erase(std::ranges::unique(around).begin(), around.end());
+  around.erase(std::unique(around.begin(), around.end()), around.end());
   PointOrigins origins;
   std::vector<std::uint32_t> inputs;
   auto at = around.begin();
