@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "quoin/cli/flow_outputs.h"
 #include "quoin/cli/flow_sheets.h"
 #include "quoin/flow/saddle_arcs.h"
 #include "quoin/flow/saddle_sheets.h"
@@ -34,44 +35,34 @@ void ExactFlow::add(std::span<const std::uint32_t> corners, std::uint32_t index,
   }
 }
 
-std::uint32_t ExactFlow::find(const RationalPoint3& p) const {
+template <class AddOrigin>
+std::uint32_t ExactFlow::place(const RationalPoint3& p, const AddOrigin& add_origin) {
   const Point3 rounded = to_nearest_doubles(p);
+  const std::array<double, 3> key{rounded.x, rounded.y, rounded.z};
   const auto is_there = [&](std::uint32_t i) {
     for (unsigned k = 0; k < 3; ++k) {
       if (cells_.positions.exact(std::size_t{3} * i + k) != p[k]) return false;
     }
     return true;
   };
-  const auto [begin, end] = places_.equal_range(std::array{rounded.x, rounded.y, rounded.z});
+  const auto [begin, end] = places_.equal_range(key);
   for (auto at = begin; at != end; ++at) {
     if (is_there(at->second)) return at->second;
   }
-  return PointOrigins::none;
-}
-
-std::uint32_t ExactFlow::add_point(const RationalPoint3& p) {
-  const Point3 rounded = to_nearest_doubles(p);
+  add_origin();
   const auto number = static_cast<std::uint32_t>(cells_.point_count());
   cells_.add_point(p);
-  places_.emplace(std::array{rounded.x, rounded.y, rounded.z}, number);
+  places_.emplace(key, number);
   return number;
 }
 
 std::uint32_t ExactFlow::place_vertex(std::uint32_t vertex) {
-  const RationalPoint3 p = exact_point(flow_.triangulation().point(vertex));
-  const std::uint32_t found = find(p);
-  if (found != PointOrigins::none) return found;
-  origins_.add_given(flow_.triangulation().inputs(vertex)[0]);
-  return add_point(p);
+  const Delaunay3& points = flow_.triangulation();
+  return place(exact_point(points.point(vertex)), [&] { origins_.add_given(points.inputs(vertex)[0]); });
 }
 
 std::uint32_t ExactFlow::place_centre(const RationalPoint3& p, std::span<const std::uint32_t> vertices) {
-  const std::uint32_t found = find(p);
-  if (found != PointOrigins::none) return found;
-  std::vector<std::uint32_t> inputs;
-  for (const std::uint32_t v : vertices) inputs.push_back(flow_.triangulation().inputs(v)[0]);
-  origins_.add_made(inputs);
-  return add_point(p);
+  return place(p, [&] { origins_.add_made(vertices, flow_.triangulation()); });
 }
 
 void ExactFlow::add_critical_points(const FlowGraph& graph) {
@@ -79,7 +70,7 @@ void ExactFlow::add_critical_points(const FlowGraph& graph) {
   for (std::uint32_t v = 0; v < points.vertex_count(); ++v) add(std::array{place_vertex(v)}, 0, points.inputs(v)[0], 0);
   std::uint32_t edges = 0;
   flow_.for_each_critical_edge(context_, [&](std::uint32_t cell, unsigned edge) {
-    const std::uint32_t middle = place_centre(values_.midpoint(cell, edge), ends(cell, edge));
+    const std::uint32_t middle = place_centre(values_.midpoint(cell, edge), ends_of(flow_, cell, edge));
     add(std::array{middle}, 1, edges++, values_.exactly_of_edge(cell, edge));
   });
   for (std::uint32_t i = 0; i < graph.saddles().size(); ++i) {
@@ -157,15 +148,10 @@ std::size_t ExactFlow::add_sheets() {
   return unbounded;
 }
 
-std::array<std::uint32_t, 2> ExactFlow::ends(std::uint32_t cell, unsigned edge) const {
-  const std::array<std::uint32_t, 4>& vertices = flow_.cells()[cell].vertices;
-  return {vertices[edge_slots[edge][0]], vertices[edge_slots[edge][1]]};
-}
-
 void ExactFlow::add_critical_edges() {
   std::uint32_t count = 0;
   flow_.for_each_critical_edge(context_, [&](std::uint32_t cell, unsigned edge) {
-    const auto [a, b] = ends(cell, edge);
+    const auto [a, b] = ends_of(flow_, cell, edge);
     const std::uint32_t first = place_vertex(a);
     add(std::array{first, place_vertex(b)}, 1, count++, values_.exactly_of_edge(cell, edge));
   });
@@ -179,7 +165,7 @@ void ExactFlow::add_graph(const Rational& most) {
     const std::uint32_t number = count++;
     const Rational square = values_.exactly_of_edge(cell, edge);
     if (square > most) return;
-    const std::array<std::uint32_t, 2> vertices = ends(cell, edge);
+    const std::array<std::uint32_t, 2> vertices = ends_of(flow_, cell, edge);
     const std::uint32_t middle = place_centre(values_.midpoint(cell, edge), vertices);
     for (const std::uint32_t v : vertices) add(std::array{place_vertex(v), middle}, 1, number, square);
   });
@@ -192,10 +178,7 @@ void ExactFlow::add_surfaces(const FlowMesh& mesh, std::span<const WallSaddle> s
   for (const RationalPoint3& p : mesh.exact_points) {
     const std::size_t i = number.size();
     if (i % 256 == 0) context_.poll();
-    number.push_back(find(p));
-    if (number.back() != PointOrigins::none) continue;
-    origins_.add(origins, i);
-    number.back() = add_point(p);
+    number.push_back(place(p, [&] { origins_.add(origins, i); }));
   }
   Rational square;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {

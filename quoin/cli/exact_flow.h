@@ -39,14 +39,12 @@ class ExactFlow {
   ExactCells take(const PointFile& file);
 
  private:
-  /// The point of the cells that is there; without one `none`, and the caller says where the new one comes from.
-  std::uint32_t find(const RationalPoint3& p) const;
-  std::uint32_t add_point(const RationalPoint3& p);
+  /// The point of the cells that is there, or a new one, for which `add_origin()` says where it comes from.
+  template <class AddOrigin>
+  std::uint32_t place(const RationalPoint3& p, const AddOrigin& add_origin);
   std::uint32_t place_vertex(std::uint32_t vertex);
   /// That has the same distance from all of these vertices.
   std::uint32_t place_centre(const RationalPoint3& p, std::span<const std::uint32_t> vertices);
-  /// The ends of an edge of a simplex, vertices.
-  std::array<std::uint32_t, 2> ends(std::uint32_t cell, unsigned edge) const;
   /// Of a Delone cell, by its first simplex; and any other point, of ways and sheets.
   std::uint32_t place_cell(std::uint32_t cell);
   std::uint32_t place_constructed(const RationalPoint3& p) { return place_centre(p, {}); }

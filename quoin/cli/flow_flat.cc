@@ -58,21 +58,13 @@ class FlowOfFlat::Cells {
   PointOrigins origins() const {
     const DeloneFaces& faces = flow_.faces();
     PointOrigins origins;
-    std::vector<std::uint32_t> inputs;
     for (const DeloneFace face : centres_) {
-      inputs.clear();
       if (face.dimension == 0) {
-        inputs.push_back(face.index);
+        origins.add_given(triangulation_.inputs(face.index)[0]);
       } else if (face.dimension == 1) {
-        for (const std::uint32_t v : faces.edge(face.index)) inputs.push_back(v);
+        origins.add_made(faces.edge(face.index), triangulation_);
       } else {
-        inputs.assign(faces.polygon(face.index).begin(), faces.polygon(face.index).end());
-      }
-      for (std::uint32_t& vertex : inputs) vertex = triangulation_.inputs(vertex)[0];
-      if (face.dimension == 0) {
-        origins.add_given(inputs[0]);
-      } else {
-        origins.add_made(inputs);
+        origins.add_made(faces.polygon(face.index), triangulation_);
       }
     }
     return origins;

@@ -37,17 +37,17 @@ void add(VtkGrid& grid, VtkCell type, std::span<const std::uint32_t> corners, st
   distances(grid).push_back(at);
 }
 
-std::array<std::uint32_t, 2> ends_of(const FlowCells& flow, std::uint32_t cell, unsigned edge) {
-  const std::array<std::uint32_t, 4>& vertices = flow.cells()[cell].vertices;
-  return {vertices[edge_slots[edge][0]], vertices[edge_slots[edge][1]]};
-}
-
 std::uint32_t add_point(VtkGrid& grid, const Point3& p) {
   grid.points.push_back(p);
   return static_cast<std::uint32_t>(grid.points.size() - 1);
 }
 
 }  // namespace
+
+std::array<std::uint32_t, 2> ends_of(const FlowCells& flow, std::uint32_t cell, unsigned edge) {
+  const std::array<std::uint32_t, 4>& vertices = flow.cells()[cell].vertices;
+  return {vertices[edge_slots[edge][0]], vertices[edge_slots[edge][1]]};
+}
 
 std::uint32_t TracedGrid::add_given(const Point3& p, std::uint32_t input) {
   origins.add_given(input);
@@ -56,9 +56,7 @@ std::uint32_t TracedGrid::add_given(const Point3& p, std::uint32_t input) {
 
 std::uint32_t TracedGrid::add_made(const Point3& p, std::span<const std::uint32_t> vertices,
                                    const Delaunay3& triangulation) {
-  std::vector<std::uint32_t> inputs;
-  for (const std::uint32_t v : vertices) inputs.push_back(triangulation.inputs(v)[0]);
-  origins.add_made(inputs);
+  origins.add_made(vertices, triangulation);
   return add_point(cells, p);
 }
 

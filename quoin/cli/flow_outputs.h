@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <span>
 
@@ -13,6 +15,10 @@
 
 namespace quoin::cli {
 
+/// The ends of an edge of a simplex, vertices.
+std::array<std::uint32_t, 2> ends_of(const FlowCells& flow, std::uint32_t cell, unsigned edge);
+
+/// Cells and where their points come from.
 struct TracedGrid {
   VtkGrid cells;
   PointOrigins origins;  ///< of its points

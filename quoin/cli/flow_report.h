@@ -17,13 +17,13 @@ inline constexpr double default_ratio = 0.5;
 
 /// What is told of manifolds of the flow. In lists, for JSON, there are also the frequencies of distributions, the
 /// filters of each question, and the numbers of flagged manifolds.
-/// Of critical edges, which are the stable manifolds of their midpoints whatever the other points are: none has a flag.
-nlohmann::ordered_json report_of_edges(std::size_t edges, bool has_lists);
 nlohmann::ordered_json report_of(const StableSurvey& survey, bool has_lists);
 nlohmann::ordered_json report_of(const UnstableSurvey& survey, bool has_lists);
 nlohmann::ordered_json report_of(const SheetSurvey& survey, bool has_lists);
 nlohmann::ordered_json report_of(const FlowRegions& regions, const RegionSurvey& survey, bool has_lists);
 nlohmann::ordered_json report_of(const FlatSurvey& survey, bool has_lists);
+/// Of critical edges, which are the stable manifolds of their midpoints whatever the other points are: none has a flag.
+nlohmann::ordered_json report_of_edges(std::size_t edges, bool has_lists);
 
 /// Signs that the tables took: how many, and how many doubles did not decide.
 nlohmann::ordered_json report_of(const CellSignCounts& counts);

@@ -28,6 +28,11 @@ class PointOrigins {
     inputs_.insert(inputs_.end(), inputs.begin(), inputs.end());
     close(none);
   }
+  /// The same from vertices, by the first points there.
+  void add_made(std::span<const std::uint32_t> vertices, const Delaunay3& triangulation) {
+    for (const std::uint32_t v : vertices) inputs_.push_back(triangulation.inputs(v)[0]);
+    close(none);
+  }
 
   /// As one of the others.
   void add(const PointOrigins& others, std::size_t point) {

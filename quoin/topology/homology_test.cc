@@ -12,13 +12,6 @@ namespace {
 
 using namespace test_complexes;
 
-Betti over(const SimplicialComplex& complex, std::uint32_t p) {
-  return betti_numbers(complex, p, Context());
-}
-IntegerHomology integers(const SimplicialComplex& complex) {
-  return integer_homology(complex, Context());
-}
-
 // Every answer by two ways, and those of different coefficients against each other.
 void check_all(const SimplicialComplex& complex) {
   const IntegerHomology homology = integers(complex);

@@ -14,13 +14,6 @@ namespace {
 
 using namespace test_complexes;
 
-Betti over(const SimplicialComplex& complex, std::uint32_t p) {
-  return betti_numbers(complex, p, Context());
-}
-IntegerHomology integers(const SimplicialComplex& complex) {
-  return integer_homology(complex, Context());
-}
-
 using Chain = std::map<Row, int>;
 
 // A chain of edges or triangles given by vertex labels, as a sum of boundary columns.

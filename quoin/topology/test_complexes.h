@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "quoin/number/rational.h"
+#include "quoin/topology/homology.h"
 #include "quoin/topology/simplicial_complex.h"
 
 /// Complexes for tests, and slow linear algebra that shares nothing with the library's.
@@ -18,6 +19,13 @@ namespace quoin::test_complexes {
 
 using Betti = std::vector<std::size_t>;
 using Row = std::vector<std::uint32_t>;
+
+inline Betti over(const SimplicialComplex& complex, std::uint32_t p) {
+  return betti_numbers(complex, p, Context());
+}
+inline IntegerHomology integers(const SimplicialComplex& complex) {
+  return integer_homology(complex, Context());
+}
 
 inline SimplicialComplex closure(const SimplexList& list) {
   return SimplicialComplex::closure_of(list, Context());
