@@ -70,6 +70,7 @@ DelaunaySigns::DelaunaySigns(std::span<const Point3> points, const PointExtent& 
     int exponent = 0;
     std::frexp(extent.largest, &exponent);  // below 2^exponent
     integer_scale_ = std::ldexp(1.0, 61 - exponent);
+    integer_unit_ = std::ldexp(1.0, exponent - 61);
   }
   choose_keys(extent);
   if (!(m <= largest_extent)) return;
@@ -101,7 +102,7 @@ int DelaunaySigns::close_sphere(std::uint32_t a, std::uint32_t b, std::uint32_t 
   }
   int sign = 0;
   if (detail::in_sphere_of_integers({&points_[a], &points_[b], &points_[c], &points_[d], &points_[q]}, integer_scale_,
-                                    sign)) {
+                                    integer_unit_, sign)) {
     return sign;
   }
   Tier ignored;

@@ -100,6 +100,7 @@ class DelaunaySigns {
   double key_x_ = 0;
   double key_y_ = 0;
   double integer_scale_ = 0;  ///< makes coordinates integers below 2^61, where they are such
+  double integer_unit_ = 0;   ///< its inverse
 };
 
 /// The perturbation: whether q is in conflict with the cell whose sphere it lies on. `is_less(i, j)` is the

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <string>
 
@@ -70,16 +71,21 @@ VertexPoints::VertexPoints(std::span<const Point3> list, Scaling scaling, const 
   points.reserve(list.size() + 1);
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     const Point3 p = scaled(list[inputs[i]], scale);
-    const bool is_new = points.empty() || !(points.back() == p);
-    if (!is_new && input_begin.empty()) {
-      input_begin.resize(points.size());
-      for (std::size_t v = 0; v < points.size(); ++v) input_begin[v] = static_cast<std::uint32_t>(v);
+    if (points.empty() || !(points.back() == p)) {
+      points.push_back(p);
+      continue;
     }
-    if (!is_new) continue;
-    if (!input_begin.empty()) input_begin.push_back(static_cast<std::uint32_t>(i));
-    points.push_back(p);
+    const auto vertex = static_cast<std::uint32_t>(points.size() - 1);
+    if (repeated.empty() || repeated.back().vertex != vertex) repeated.push_back({vertex, 0});
+    repeated.back().surplus = static_cast<std::uint32_t>(i) - vertex;
   }
-  if (!input_begin.empty()) input_begin.push_back(static_cast<std::uint32_t>(inputs.size()));
+}
+
+std::span<const std::uint32_t> VertexPoints::inputs_of(std::uint32_t vertex) const {
+  const auto found = std::ranges::lower_bound(repeated, vertex, {}, &Repeated::vertex);
+  const std::uint32_t before = found == repeated.begin() ? 0 : std::prev(found)->surplus;
+  const bool is_repeated = found != repeated.end() && found->vertex == vertex;
+  return {&inputs[vertex + before], is_repeated ? found->surplus - before + 1 : 1};
 }
 
 void refuse_for_memory(std::size_t points) {

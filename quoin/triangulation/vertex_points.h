@@ -19,18 +19,22 @@ enum class Scaling {
 
 /// The distinct points of a list, along a Hilbert curve whatever the order of the list.
 struct VertexPoints {
-  LargeVector<Point3> points;              ///< times a power of two; no zero is negative
-  double unscale = 1;                      ///< gives them back
-  std::vector<std::uint32_t> inputs;       ///< numbers in the list, of each vertex ascending
-  std::vector<std::uint32_t> input_begin;  ///< where those of each vertex begin; empty where no two points are equal
+  /// A vertex that is several points; up to it there are `surplus` more points than vertices.
+  struct Repeated {
+    std::uint32_t vertex;
+    std::uint32_t surplus;
+  };
+
+  LargeVector<Point3> points;         ///< times a power of two; no zero is negative
+  double unscale = 1;                 ///< gives them back
+  std::vector<std::uint32_t> inputs;  ///< numbers in the list, of each vertex ascending
+  std::vector<Repeated> repeated;     ///< ascending by vertex
 
   /// @throws InputError without points, with more than 150,000,000, or naming one that is not finite; Cancelled
   VertexPoints(std::span<const Point3> list, Scaling scaling, const Context& context);
 
-  std::span<const std::uint32_t> inputs_of(std::uint32_t vertex) const {
-    if (input_begin.empty()) return {&inputs[vertex], 1};
-    return {&inputs[input_begin[vertex]], input_begin[vertex + 1] - input_begin[vertex]};
-  }
+  /// Logarithmic in the number of vertices that are several points.
+  std::span<const std::uint32_t> inputs_of(std::uint32_t vertex) const;
   Point3 original(std::uint32_t vertex) const {
     const Point3& p = points[vertex];
     return {p.x * unscale, p.y * unscale, p.z * unscale};
