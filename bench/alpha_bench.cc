@@ -43,6 +43,7 @@ class Stopwatch {
 
 std::vector<std::uint32_t> cells_of(const quoin::Delaunay3& triangulation) {
   std::vector<std::uint32_t> cells;
+  cells.reserve(4 * triangulation.cells().size());
   for (std::size_t c = 0; c < triangulation.cells().size(); ++c) {
     const auto& v = triangulation.cells()[c].vertices;
     if (!triangulation.is_ghost(c)) cells.insert(cells.end(), v.begin(), v.begin() + triangulation.dimension() + 1);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "quoin/base/error.h"
+#include "quoin/base/large_vector.h"
 #include "quoin/base/polled_resize.h"
 
 namespace quoin {
@@ -69,7 +70,7 @@ void CellComplexBuilder::sort_cells() {
             1];
   }
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  std::vector<Row> rows;
+  LargeVector<Row> rows;
   resize_and_poll(rows, count, context_);
   std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
   for (std::size_t i = 0; i < count; ++i) {
@@ -105,7 +106,7 @@ void CellComplexBuilder::derive_facets() {
   SimplicialComplex::Layer& layer = result_.layers_[W - 1];
   SimplicialComplex::Layer& lower = result_.layers_[W - 2];
   const std::size_t vertex_count = result_.labels_.size();
-  const std::vector<std::uint32_t>& v = layer.vertices;
+  const LargeVector<std::uint32_t>& v = layer.vertices;
   resize_and_poll(layer.facets, v.size(), context_);
 
   // By the second vertex.
@@ -115,7 +116,7 @@ void CellComplexBuilder::derive_facets() {
     ++begin[v[i * W + 1] + 1];
   }
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  std::vector<std::uint32_t> of_second;
+  LargeVector<std::uint32_t> of_second;
   resize_and_poll(of_second, layer.size, context_);
   std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
   for (std::uint32_t i = 0; i < layer.size; ++i) {

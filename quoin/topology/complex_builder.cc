@@ -217,7 +217,7 @@ void ComplexBuilder::finish_layer(int k) {
   if (k + 1 > result_.dimension()) return;
   Rows rows = join_facets(k + 1);
   if (rows.empty()) return;
-  const std::vector<std::uint32_t> vertices = std::move(result_.layers_[k].vertices);
+  const LargeVector<std::uint32_t> vertices = std::move(result_.layers_[k].vertices);
   const std::size_t width = static_cast<std::size_t>(k) + 1;
   for (std::size_t i = 0; i < listing_[k].size(); ++i) {
     const auto row = vertices.begin() + static_cast<std::ptrdiff_t>(i * width);

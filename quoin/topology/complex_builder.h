@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "quoin/base/context.h"
+#include "quoin/base/large_vector.h"
 #include "quoin/topology/simplex_list.h"
 #include "quoin/topology/simplicial_complex.h"
 
@@ -30,7 +31,7 @@ class ComplexBuilder {
   const std::vector<std::array<std::uint32_t, 2>>& duplicates() const { return duplicates_; }
 
  private:
-  using Rows = std::vector<std::uint32_t>;
+  using Rows = LargeVector<std::uint32_t>;
 
   void require_valid() const;
   void number_vertices();

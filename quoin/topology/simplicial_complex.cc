@@ -77,7 +77,7 @@ SimplexIncidence SimplicialComplex::cofacets(int k) const {
   SimplexIncidence result;
   result.begin.assign(count(k) + 1, 0);
   if (k < 0 || k >= dimension()) return result;
-  const std::vector<std::uint32_t>& lower = layers_[k + 1].facets;
+  const LargeVector<std::uint32_t>& lower = layers_[k + 1].facets;
   for (const std::uint32_t facet : lower) ++result.begin[facet + 1];
   for (std::size_t i = 1; i < result.begin.size(); ++i) result.begin[i] += result.begin[i - 1];
   result.items.resize(lower.size());

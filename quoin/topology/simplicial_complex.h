@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "quoin/base/context.h"
+#include "quoin/base/large_vector.h"
 #include "quoin/topology/simplex_list.h"
 
 namespace quoin {
@@ -98,8 +99,8 @@ class SimplicialComplex {
 
   struct Layer {
     std::size_t size = 0;
-    std::vector<std::uint32_t> vertices;
-    std::vector<std::uint32_t> facets;
+    LargeVector<std::uint32_t> vertices;
+    LargeVector<std::uint32_t> facets;
     std::vector<std::uint32_t> first;  // where the simplices begin whose least vertex is v; one more than vertices
   };
   friend class ComplexBuilder;

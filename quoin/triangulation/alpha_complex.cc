@@ -128,12 +128,12 @@ void AlphaComplex::look_at_facets(int k, const Look& look, const Context& contex
 }
 
 /// And the powers of tetrahedra, as these are known by then; there is room for others.
-std::vector<Interval> AlphaComplex::find_places(const Context& context) {
+LargeVector<Interval> AlphaComplex::find_places(const Context& context) {
   const SimplicialComplex& complex = filtration_.complex;
   for (int k = 0; k <= dimension(); ++k)
     resize_and_poll(place_.emplace_back(), complex.count(k), context, Place::empty);
   const auto bits = [](Sign side, std::size_t j) { return static_cast<unsigned>(place_of(side)) << 2 * j; };
-  std::vector<Interval> powers;
+  LargeVector<Interval> powers;
   powers.reserve(complex.size());
   resize_and_poll(powers, complex.count(3), context);
   const auto look_in_cell = [&](SmallestSpheres::Simplex v, std::size_t i) {
@@ -160,11 +160,11 @@ std::vector<Interval> AlphaComplex::find_places(const Context& context) {
 
 /// Values of Gabriel simplices are their own; others have the grade of a coface. Without weights those of vertices are
 /// zero, and all others above.
-void AlphaComplex::find_grades(std::vector<Interval> bounds, const Context& context) {
+void AlphaComplex::find_grades(LargeVector<Interval> bounds, const Context& context) {
   const SimplicialComplex& complex = filtration_.complex;
   const int lowest = spheres_.is_weighted() ? 0 : 1;
   // Items: Gabriel simplices, those of the highest dimension first.
-  std::vector<std::uint32_t> owner;
+  LargeVector<std::uint32_t> owner;
   std::array<std::uint32_t, 5> begin{};  // of dimension k those from begin[k + 1] to begin[k]
   if (complex.size() >= none) throw InputError("an alpha complex of 2^32 simplices or more");
   owner.reserve(complex.size());

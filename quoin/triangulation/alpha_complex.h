@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "quoin/base/context.h"
+#include "quoin/base/large_vector.h"
 #include "quoin/kernel/point.h"
 #include "quoin/number/rational.h"
 #include "quoin/topology/filtration.h"
@@ -87,8 +88,8 @@ class AlphaComplex {
   void look_at_facets(int k, const Look& look, const Context& context);
   template <class Visit>
   void for_each_simplex(const Context& context, const Visit& visit) const;
-  std::vector<Interval> find_places(const Context& context);
-  void find_grades(std::vector<Interval> bounds, const Context& context);
+  LargeVector<Interval> find_places(const Context& context);
+  void find_grades(LargeVector<Interval> bounds, const Context& context);
 
   Filtration filtration_;
   SmallestSpheres spheres_{{}};
