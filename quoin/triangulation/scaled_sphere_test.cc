@@ -102,7 +102,7 @@ TEST(ScaledSphere, TellsPointsOfOneSphere) {
     if (random() % 2 == 0) p[random() % 5][random() % 3] += random() % 2 == 0 ? unit : -unit;
     return p;
   };
-  check(make, 5000);
+  EXPECT_EQ(check(make, 5000), test_rounds(5000));
 }
 
 TEST(ScaledSphere, RefusesWhatIsNoInteger) {
