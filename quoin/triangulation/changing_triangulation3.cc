@@ -301,7 +301,10 @@ template <class Points>
 DelaunayLocation ChangingTriangulation3<Points>::locate(const Point3& p) const {
   require_finite(p);
   if (dimension_ < 3) throw InputError("where points change, others are located in dimension 3 only");
-  return walk_to(p, cells(), cell_of(points_.one_near(p)), [this](std::uint32_t v) { return point(v); });
+  const auto walk = [&](std::uint32_t start, std::size_t steps) {
+    return walk_to(p, steps, cells(), start, [this](std::uint32_t v) { return point(v); });
+  };
+  return walk_from(std::nullopt, walk, [&] { return cell_of(points_.one_near(p)); });
 }
 
 template <class Points>

@@ -15,10 +15,14 @@ DelaunayLocator::DelaunayLocator(const TriangulationView3& triangulation)
 DelaunayLocation DelaunayLocator::locate(const Point3& p, std::uint32_t start) const {
   require_finite(p);
   const TriangulationView3& t = triangulation_;
-  if (t.dimension() < 2) return flat_->locate(p, 0);
-  const std::uint32_t first = start < t.cells().size() ? start : stars_.cell(sampled_near(p));
-  if (flat_) return flat_->locate(p, first);
-  return walk_to(p, t.cells(), first, [&t](std::uint32_t v) { return t.point(v); });
+  if (t.dimension() < 2) return flat_->locate_on_line(p);
+  if (flat_ && !flat_->spans(p)) return {DelaunayLocation::Kind::outside_affine_hull, 0, 0};
+  const auto walk = [&](std::uint32_t first, std::size_t steps) {
+    if (flat_) return flat_->walk_in_plane(p, first, steps);
+    return walk_to(p, steps, t.cells(), first, [&t](std::uint32_t v) { return t.point(v); });
+  };
+  const std::optional<std::uint32_t> hint = start < t.cells().size() ? std::optional(start) : std::nullopt;
+  return walk_from(hint, walk, [&] { return stars_.cell(sampled_near(p)); });
 }
 
 int DelaunayLocator::compare(const Point3& p, std::uint32_t v, std::uint32_t w) const {

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <span>
 #include <unordered_set>
 #include <vector>
@@ -34,16 +37,20 @@ int compare_distances(const Point3& p, const Point3& a, const Point3& b);
 /// Sign of (|p - a|^2 - weight_a) - (|p - b|^2 - weight_b), of power distances. Exact for all finite doubles.
 int compare_powers(const Point3& p, const Point3& a, double weight_a, const Point3& b, double weight_b);
 
+/// Steps after which a walk from where its caller wished begins anew, at a sampled place: more than walks across a
+/// million points take that are spread evenly, in the plane or in space. What is long and thin has longer ones.
+inline constexpr std::size_t most_steps_from_hint = 4096;
+
 /// The smallest face that a point is in, by a walk from a cell of a triangulation of dimension 2 or 3, Delaunay or
-/// regular; it ends, since cells are in an acyclic order as seen from any point (Edelsbrunner 1990). `side(cell, slot)`
-/// is the side of the facet opposite to the slot on which the point is, positive for that of the cell.
+/// regular; nothing where that takes more steps. `side(cell, slot)` is the side of the facet opposite to the slot on
+/// which the point is, positive for that of the cell.
 template <class Side>
-DelaunayLocation walk_across(std::span<const TriangulationCell> cells, unsigned dimension, std::uint32_t start,
-                             const Side& side) {
+std::optional<DelaunayLocation> walk_at_most(std::size_t steps, std::span<const TriangulationCell> cells,
+                                             unsigned dimension, std::uint32_t start, const Side& side) {
   const auto is_ghost = [&](std::uint32_t c) { return cells[c].vertices[dimension] == vertex_at_infinity; };
   std::uint32_t here = is_ghost(start) ? cells[start].neighbours[dimension] >> 2 : start;
-  for (;;) {
-    if (is_ghost(here)) return {DelaunayLocation::Kind::outside, here, (1U << dimension) - 1};
+  for (;; --steps) {
+    if (is_ghost(here)) return DelaunayLocation{DelaunayLocation::Kind::outside, here, (1U << dimension) - 1};
     unsigned slots = 0;
     unsigned exit = 0;
     for (; exit <= dimension; ++exit) {
@@ -51,19 +58,33 @@ DelaunayLocation walk_across(std::span<const TriangulationCell> cells, unsigned 
       if (found == Sign::negative) break;
       if (found == Sign::positive) slots |= 1U << exit;
     }
-    if (exit > dimension) return {static_cast<DelaunayLocation::Kind>(std::popcount(slots) - 1), here, slots};
+    if (exit > dimension)
+      return DelaunayLocation{static_cast<DelaunayLocation::Kind>(std::popcount(slots) - 1), here, slots};
+    if (steps == 0) return std::nullopt;
     here = cells[here].neighbours[exit] >> 2;
   }
 }
 
 /// The same of dimension 3. `at(v)` is the point of a vertex.
 template <class At>
-DelaunayLocation walk_to(const Point3& p, std::span<const TriangulationCell> cells, std::uint32_t start, const At& at) {
-  return walk_across(cells, 3, start, [&](std::uint32_t cell, unsigned slot) {
+std::optional<DelaunayLocation> walk_to(const Point3& p, std::size_t steps, std::span<const TriangulationCell> cells,
+                                        std::uint32_t start, const At& at) {
+  return walk_at_most(steps, cells, 3, start, [&](std::uint32_t cell, unsigned slot) {
     const auto& v = cells[cell].vertices;
     const auto& [a, b, c] = facet_slots[slot];
     return orientation(at(v[a]), at(v[b]), at(v[c]), p);
   });
+}
+
+/// Where a walk goes on until it has found the point: `walk(start, steps)` is one of those above. It begins at the hint
+/// if there is one, and where it takes too long from there, or there is none, at `near()`. From there it ends, since
+/// cells are in an acyclic order as seen from any point (Edelsbrunner 1990).
+template <class Walk, class Near>
+DelaunayLocation walk_from(std::optional<std::uint32_t> hint, const Walk& walk, const Near& near) {
+  if (hint) {
+    if (const std::optional<DelaunayLocation> found = walk(*hint, most_steps_from_hint)) return *found;
+  }
+  return *walk(near(), std::numeric_limits<std::size_t>::max());
 }
 
 /// The vertex of least distance or power, of equal ones the one of the smallest number, by a walk over edges from a

@@ -50,21 +50,17 @@ void FlatLocator::find_line() {
   cells_.push_back(at);
 }
 
-DelaunayLocation FlatLocator::locate(const Point3& p, std::uint32_t start) const {
-  if (!spans(p)) return {DelaunayLocation::Kind::outside_affine_hull, 0, 0};
-  return triangulation_.dimension() == 2 ? locate_in_plane(p, start) : locate_on_line(p);
-}
-
 bool FlatLocator::spans(const Point3& p) const {
   if (triangulation_.dimension() == 0) return p == basis_[0];
   if (triangulation_.dimension() == 1) return normal_axis(basis_[0], basis_[1], p) == 3;
   return orientation(basis_[0], basis_[1], basis_[2], p) == Sign::zero;
 }
 
-DelaunayLocation FlatLocator::locate_in_plane(const Point3& p, std::uint32_t start) const {
+std::optional<DelaunayLocation> FlatLocator::walk_in_plane(const Point3& p, std::uint32_t start,
+                                                           std::size_t steps) const {
   const std::span<const TriangulationCell> cells = triangulation_.cells();
   const Point2 query = projected(p);
-  return walk_across(cells, 2, start, [&](std::uint32_t c, unsigned slot) {
+  return walk_at_most(steps, cells, 2, start, [&](std::uint32_t c, unsigned slot) {
     const auto& v = cells[c].vertices;
     return orientation(projected(v[(slot + 1) % 3]), projected(v[(slot + 2) % 3]), query) * turn_;
   });
@@ -72,6 +68,7 @@ DelaunayLocation FlatLocator::locate_in_plane(const Point3& p, std::uint32_t sta
 
 DelaunayLocation FlatLocator::locate_on_line(const Point3& p) const {
   using Kind = DelaunayLocation::Kind;
+  if (!spans(p)) return {Kind::outside_affine_hull, 0, 0};
   const auto after = std::ranges::lower_bound(
       line_, p, [](const Point3& a, const Point3& b) { return lexicographically_less(a, b); },
       [this](std::uint32_t v) { return triangulation_.point(v); });

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,18 +22,21 @@ class FlatLocator {
   /// O(n); of dimension 0 and 1 8 bytes per vertex.
   explicit FlatLocator(const TriangulationView3& triangulation);
 
-  /// The smallest face that a finite point is in. Of dimension 2 by a walk from the cell `start`, as it is seen along
-  /// an axis: cells are before each other there as in their plane, so it ends. Of dimension 1 O(log n).
-  DelaunayLocation locate(const Point3& p, std::uint32_t start) const;
+  /// Whether a finite point is in that plane, on that line, or there.
+  bool spans(const Point3& p) const;
+
+  /// Of dimension 2: the smallest face that a point of the plane is in, by a walk of at most so many steps from a cell,
+  /// as it is seen along an axis: cells are before each other there as in their plane, so it ends without a limit, too.
+  std::optional<DelaunayLocation> walk_in_plane(const Point3& p, std::uint32_t start, std::size_t steps) const;
+
+  /// Of dimension 0 and 1: the smallest face that a finite point is in. O(log n).
+  DelaunayLocation locate_on_line(const Point3& p) const;
 
   /// Of dimension 0 and 1: the vertices that are not hidden, in lexicographic order.
   std::span<const std::uint32_t> line() const { return line_; }
 
  private:
   void find_line();
-  bool spans(const Point3& p) const;
-  DelaunayLocation locate_in_plane(const Point3& p, std::uint32_t start) const;
-  DelaunayLocation locate_on_line(const Point3& p) const;
   Point2 projected(const Point3& p) const { return {p[(axis_ + 1) % 3], p[(axis_ + 2) % 3]}; }
   Point2 projected(std::uint32_t v) const { return projected(triangulation_.point(v)); }
 

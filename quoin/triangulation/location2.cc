@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <unordered_set>
 #include <vector>
 
@@ -131,15 +133,13 @@ Vertex2 smallest_of_ties(const TriangulationView2& triangulation, const Point2& 
   return *std::min_element(tied.begin(), tied.end());
 }
 
-}  // namespace
-
-Location2 locate(const TriangulationView2& triangulation, const Point2& query, Vertex2 near) {
-  require_finite(query);
-  if (triangulation.dimension() < 2) return locate_on_line(triangulation, query);
+// Nothing where it takes more steps from triangle to triangle.
+std::optional<Location2> walk(const TriangulationView2& triangulation, const Point2& query, Vertex2 from,
+                              std::size_t steps) {
   const Triangulation2& links = triangulation.links();
-  Edge2 entry = links.edge_from(near.is_none() ? nearest_sample(triangulation, query) : near);
+  Edge2 entry = links.edge_from(from);
   while (links.is_infinite(entry.triangle())) entry = links.around_source(entry);
-  for (;;) {
+  for (;; --steps) {
     const Triangle2 t = entry.triangle();
     std::array<Sign, 3> turns{};
     Edge2 exit;
@@ -155,8 +155,20 @@ Location2 locate(const TriangulationView2& triangulation, const Point2& query, V
       found.edge = exit;
       return found;
     }
+    if (steps == 0) return std::nullopt;
     entry = exit;
   }
+}
+
+}  // namespace
+
+Location2 locate(const TriangulationView2& triangulation, const Point2& query, Vertex2 near) {
+  require_finite(query);
+  if (triangulation.dimension() < 2) return locate_on_line(triangulation, query);
+  if (!near.is_none()) {
+    if (const std::optional<Location2> found = walk(triangulation, query, near, most_steps_from_hint)) return *found;
+  }
+  return *walk(triangulation, query, nearest_sample(triangulation, query), std::numeric_limits<std::size_t>::max());
 }
 
 Vertex2 nearest_vertex(const TriangulationView2& triangulation, const Point2& query, Vertex2 near) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <random>
 
 #include "quoin/base/error.h"
 #include "quoin/base/test_rounds.h"
@@ -93,6 +94,32 @@ TEST(Location2, FacesHoldTheQueryAndNearestIsNearest) {
         }
         ASSERT_EQ(nearest_vertex(delaunay, query, near), expected);
       }
+    }
+  }
+}
+
+/// Along a strip, where walks from end to end meet the limit of steps.
+TEST(Location2, FarHintsDoNotChangeWhatIsFound) {
+  Random random(4);
+  const auto part = [&random] { return std::uniform_real_distribution<double>(0, 1)(random); };
+  std::vector<Point2> points;
+  for (int i = 0; i < 4000; ++i) {
+    for (int k = 0; k < 3; ++k) points.push_back({i + 0.5 * part(), part()});
+  }
+  const Delaunay2 delaunay(points);
+  const Vertex2 first = nearest_vertex(delaunay, {0, 0.5});
+  const Vertex2 last = nearest_vertex(delaunay, {4000, 0.5});
+  for (int k = 0; k < 200; ++k) {
+    const Point2 query{4000 * part(), part()};
+    const Location2 expected = locate(delaunay, query);
+    for (const Vertex2 hint : {first, last}) {
+      const Location2 found = locate(delaunay, query, hint);
+      ASSERT_EQ(found.place, expected.place);
+      expect_inside(delaunay, found, query);
+      if (found.place == Location2::Place::triangle) {
+        EXPECT_EQ(found.triangle, expected.triangle);
+      }
+      EXPECT_EQ(nearest_vertex(delaunay, query, hint), nearest_vertex(delaunay, query));
     }
   }
 }
