@@ -11,13 +11,13 @@ namespace quoin {
 
 namespace detail {
 
-/// Where the system has them and they cost less than others: see the source.
+/// Where the system has them.
 void ask_for_huge_pages(void* block, std::size_t bytes) noexcept;
 
 }  // namespace detail
 
 /// Allocates blocks of megabytes on boundaries of huge pages and asks the system for such: touching fresh memory then
-/// costs a fraction. Smaller blocks are ordinary, and so are those of hundreds of megabytes.
+/// costs a fraction, and so does reaching memory here and there. Smaller blocks are ordinary.
 template <class T>
 class LargeAllocator {
  public:
