@@ -17,6 +17,8 @@ constexpr std::uint8_t is_cluster = 12;
 constexpr std::uint8_t is_member = 13;
 constexpr std::uint8_t is_unknown = 14;
 
+constexpr std::size_t fetched_before = 8;  // simplices
+
 CellWay way_of(std::uint8_t code, std::uint32_t cell) {
   if (code < 4) return {CellWay::Kind::facet, cell, code};
   if (code < is_maximum) return {CellWay::Kind::edge, cell, code - 4U};
@@ -35,6 +37,12 @@ FlowCells::FlowCells(const Delaunay3& triangulation, const Context& context)
   find_in_clusters(context);
 }
 
+/// The neighbours of a simplex whose turn comes soon.
+void FlowCells::fetch_neighbours(std::size_t cell) const {
+  if (cell >= cells_.size()) return;
+  for (const std::uint32_t mate : cells_[cell].neighbours) __builtin_prefetch(&cells_[mate >> 2]);
+}
+
 void FlowCells::find_shapes(const Context& context) {
   CellSigns signs(triangulation_);
   // A ghost is in no edge's way, and no centre is behind it.
@@ -43,6 +51,7 @@ void FlowCells::find_shapes(const Context& context) {
   }
   for (std::uint32_t c = 0; c < cells_.size(); ++c) {
     if (c % 1024 == 0) context.poll();
+    fetch_neighbours(c + fetched_before);
     if (is_ghost(c)) continue;
     unsigned tested = 0;
     for (unsigned i = 0; i < 4; ++i) {
@@ -83,26 +92,44 @@ void FlowCells::find_simple_saddles(std::uint32_t cell) {
   }
 }
 
-// Critical if no corner opposite to it, all around, is right or obtuse. Each ring is walked once: for the time being
-// `way` says of which edges of simplices whose turn is still to come the answer is known.
+/// Whether the edge is critical: no corner opposite to it, all around, is right or obtuse. `ring` gets its simplices,
+/// each with the edge's bit, all of them or as far as it took to know. Walks both ways round at once, as each step
+/// waits for memory.
+bool FlowCells::walk_ring(std::uint32_t cell, OtherSlots off, Ring& ring) const {
+  const auto bit_at = [](const RingPlace& at) {
+    return static_cast<std::uint8_t>(32U >> edge_number[at.behind][at.ahead]);
+  };
+  const auto allows = [&](const RingPlace& at) {
+    ring.emplace_back(at.cell, bit_at(at));
+    return (rows_[at.cell].edges & ring.back().second) != 0;
+  };
+  RingPlace one{cell, off.behind, off.ahead};
+  RingPlace other{cell, off.ahead, off.behind};
+  ring.clear();
+  allows(one);
+  for (;;) {
+    const std::uint32_t last = other.cell;
+    one = one.next(cells_);
+    other = other.next(cells_);
+    if (one.cell == last) return true;
+    const bool is_allowed = allows(one);
+    if (one.cell == other.cell) return is_allowed;
+    if (!allows(other) || !is_allowed) return false;
+  }
+}
+
+// Each ring is walked once: for the time being `way` says of which edges of simplices whose turn is still to come the
+// answer is known.
 void FlowCells::find_critical_edges(const Context& context) {
-  std::vector<std::pair<std::uint32_t, std::uint8_t>> ring;
+  Ring ring;
   for (std::uint32_t c = 0; c < cells_.size(); ++c) {
     if (c % 1024 == 0) context.poll();
+    fetch_neighbours(c + fetched_before);
     if (is_ghost(c)) continue;
     unsigned left = rows_[c].edges & ~static_cast<unsigned>(rows_[c].way);
     for (; left != 0; left &= left - 1) {
       const auto e = static_cast<unsigned>(std::countr_zero(left));
-      const OtherSlots off = other_slots[edge_slots[e][0]][edge_slots[e][1]];
-      bool is_critical = true;
-      ring.clear();
-      RingPlace at{c, off.behind, off.ahead};
-      do {
-        const auto bit = static_cast<std::uint8_t>(32U >> edge_number[at.behind][at.ahead]);
-        ring.emplace_back(at.cell, bit);
-        is_critical &= (rows_[at.cell].edges & bit) != 0;
-        at = at.next(cells_);
-      } while (is_critical && at.cell != c);
+      const bool is_critical = walk_ring(c, other_slots[edge_slots[e][0]][edge_slots[e][1]], ring);
       for (const auto& [cell, bit] : ring) {
         Row& row = rows_[cell];
         if (cell > c) row.way = static_cast<std::uint8_t>(row.way | bit);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "quoin/base/context.h"
@@ -145,6 +146,7 @@ class FlowCells {
     std::uint32_t first;
     CellWay way;
   };
+  using Ring = std::vector<std::pair<std::uint32_t, std::uint8_t>>;
   bool is_regular_polygon(CellFacet named) const;
   bool is_first_at_edge(std::uint32_t cell, unsigned edge) const;
   unsigned inner(std::uint32_t cell) const { return rows_[cell].bits & 15U; }
@@ -154,7 +156,9 @@ class FlowCells {
   std::vector<std::uint32_t> cluster(std::uint32_t cell) const;
   std::vector<CellFacet> polygons_of(std::uint32_t cell) const;
 
+  void fetch_neighbours(std::size_t cell) const;
   void find_shapes(const Context& context);
+  bool walk_ring(std::uint32_t cell, OtherSlots off, Ring& ring) const;
   void find_critical_edges(const Context& context);
   void find_simple_saddles(std::uint32_t cell);
   void find_polygon_saddles(std::uint32_t cell);
