@@ -9,6 +9,7 @@
 #include "quoin/base/context.h"
 #include "quoin/cli/clipped_segments.h"
 #include "quoin/cli/flow_grades.h"
+#include "quoin/cli/page_values.h"
 #include "quoin/flow/flow_reconstruction.h"
 #include "quoin/flow/saddle_surfaces.h"
 #include "quoin/view/layered_scene.h"
@@ -82,9 +83,11 @@ class WayLayer {
   std::uint32_t next_owner_;
 };
 
-/// Adds unstable sheets of saddles of index 1 as a layer, all together and at every distance: sheets run together, and
-/// no part is of one saddle alone. What goes far beyond the points is left out; the scene's facts say how much. @throws
-/// Cancelled
-void add_sheet_layer(const FlowCells& flow, LayeredScene& scene, const Context& context);
+/// Adds unstable sheets of saddles of index 1: as a layer all together, each part once and at every distance, as sheets
+/// run together and no part is of one saddle alone; and as another one, hidden until a midpoint is picked, each sheet
+/// by itself from its distance on. What goes far beyond the points is left out; the scene's facts say how much. Layers
+/// that have owners, and links, come before. @throws Cancelled
+void add_sheet_layers(const FlowGraph& graph, const FlowGrades& grades, const FlowPlaces& places,
+                      const PageValues& stops, LayeredScene& scene, const Context& context);
 
 }  // namespace quoin::cli

@@ -68,7 +68,7 @@ std::uint64_t memory_of_flow_page(const FlowPage& page, const FlowCells& flow) {
   if (page.edges) bytes += 170 * std::min(counts[1], most_flow_segments);
   // Ten triangles a saddle in a cube, six on a surface.
   if (page.surfaces || !page.wall_name.empty()) bytes += 115 * std::min(10 * counts[2], most_flow_triangles);
-  if (page.sheets) bytes += 30000 * counts[0];
+  if (page.sheets) bytes += 30000 * counts[0] + std::min(60000 * counts[1], 150 * most_picked_triangles);
   if (page.ways) bytes += 300 * std::min(flow.cells().size(), most_flow_segments);
   return bytes;
 }

@@ -35,6 +35,8 @@ struct FlowPage {
 /// A layer of a page holds no more of them, those of the least distances.
 inline constexpr std::size_t most_flow_triangles = std::size_t{1} << 23;
 inline constexpr std::size_t most_flow_segments = std::size_t{1} << 21;
+/// Of sheets that are there each by itself, as much as they share.
+inline constexpr std::size_t most_picked_triangles = std::size_t{1} << 21;
 
 /// What the command line asks for; where it asks for nothing, all that the number of points allows. Walls and chosen
 /// maxima are to be filled in.

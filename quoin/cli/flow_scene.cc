@@ -49,7 +49,7 @@ class FlowScene {
     if (page_.surfaces) add_surfaces();
     if (!page_.wall_name.empty()) add_walls();
     if (page_.ways) add_ways();
-    if (page_.sheets) add_sheet_layer(graph_.cells(), scene_, context_);
+    if (page_.sheets) add_sheet_layers(graph_, grades_, places_, stops_, scene_, context_);
     if (!page_.left_out.empty()) scene_.facts.emplace_back("Not in this page", page_.left_out);
     stops_.move_to(scene_);
     return std::move(scene_);
@@ -95,7 +95,9 @@ class FlowScene {
     return {vertices[edge_slots[at.edge][0]], vertices[edge_slots[at.edge][1]]};
   }
 
-  bool has_owned() const { return page_.edges || page_.surfaces || page_.ways || !page_.wall_name.empty(); }
+  bool has_owned() const {
+    return page_.edges || page_.surfaces || page_.ways || page_.sheets || !page_.wall_name.empty();
+  }
   bool has_walls() const { return !page_.wall_name.empty(); }
   bool has_surfaces() const { return page_.surfaces || has_walls(); }
 
@@ -161,8 +163,9 @@ class FlowScene {
       if (has_owned()) layer.owners.push_back(first + i - places_.first_edge);
     }
     const std::size_t most_maxima = has_surfaces() ? most_on_surfaces : most_maxima_at_first;
-    layer.is_shown =
-        index == 3 ? layer.vertices.size() <= most_maxima : !has_walls() && count <= most_critical_at_first;
+    // Where sheets are, midpoints are there to be picked.
+    const std::size_t most = page_.sheets && index == 1 ? most_on_surfaces : most_critical_at_first;
+    layer.is_shown = index == 3 ? layer.vertices.size() <= most_maxima : !has_walls() && count <= most;
     scene_.layers.push_back(std::move(layer));
   }
 

@@ -3,8 +3,6 @@
 
 #include <cmath>
 #include <span>
-#include <unordered_map>
-#include <utility>
 
 namespace quoin::cli {
 
@@ -14,60 +12,49 @@ double distance(const Interval& square) {
   return std::sqrt(square.lower() + (square.upper() - square.lower()) / 2);
 }
 
-class PolygonMaker {
- public:
-  explicit PolygonMaker(const FlowCells& flow)
-      : sheets_(flow, SheetParts::fresh), values_(flow.triangulation()), unscale_(flow.triangulation().unscale()) {}
-
-  void add(std::uint32_t cell, unsigned edge, std::uint32_t number, const Context& context) {
-    const CellSheet& sheet = sheets_.follow(cell, edge, context);
-    const double at = distance(values_.of_edge(cell, edge));
-    constructed_.resize(sheets_.chain().size(), none);
-    made_.unbounded += for_each_bounded_piece(sheet, [&](std::span<const SheetCorner> corners) {
-      for (const SheetCorner& corner : corners) made_.corners.push_back(place(corner));
-      made_.begin.push_back(made_.corners.size());
-      made_.number.push_back(number);
-      made_.distance.push_back(at);
-    });
-  }
-  SheetPolygons take() { return std::move(made_); }
-
- private:
-  static constexpr std::uint32_t none = 0xFFFFFFFF;
-
-  std::uint32_t add_point(const Point3& p) {
-    made_.points.push_back(p);
-    return static_cast<std::uint32_t>(made_.points.size() - 1);
-  }
-  std::uint32_t place(const SheetCorner& corner) {
-    if (!corner.is_constructed) {
-      const auto [at, is_new] = centres_.try_emplace(corner.place, 0);
-      if (is_new) at->second = add_point(to_nearest_doubles(values_.centre(corner.place)));
-      return at->second;
-    }
-    if (constructed_[corner.place] == none) {
-      const Point3 p = sheets_.chain().near_point(corner.place, 0x1p-20);
-      constructed_[corner.place] = add_point({p.x * unscale_, p.y * unscale_, p.z * unscale_});
-    }
-    return constructed_[corner.place];
-  }
-
-  SaddleSheets sheets_;
-  CriticalValues values_;
-  double unscale_;
-  SheetPolygons made_;
-  std::unordered_map<std::uint32_t, std::uint32_t> centres_;
-  std::vector<std::uint32_t> constructed_;
-};
-
-std::span<const std::uint32_t> polygon(const SheetPolygons& sheets, std::size_t i) {
-  return std::span(sheets.corners).subspan(sheets.begin[i], sheets.begin[i + 1] - sheets.begin[i]);
-}
+constexpr std::uint32_t none = 0xFFFFFFFF;
 
 }  // namespace
 
+SheetPolygonMaker::SheetPolygonMaker(const FlowCells& flow, SheetParts parts)
+    : parts_(parts), sheets_(flow, parts), values_(flow.triangulation()), unscale_(flow.triangulation().unscale()) {}
+
+void SheetPolygonMaker::add(std::uint32_t cell, unsigned edge, std::uint32_t number, const Context& context) {
+  const CellSheet& sheet = sheets_.follow(cell, edge, context);
+  const double at = distance(values_.of_edge(cell, edge));
+  if (parts_ == SheetParts::all) {
+    centres_.clear();
+    constructed_.clear();
+  }
+  constructed_.resize(sheets_.chain().size(), none);
+  made_.unbounded += for_each_bounded_piece(sheet, [&](std::span<const SheetCorner> corners) {
+    for (const SheetCorner& corner : corners) made_.corners.push_back(place(corner));
+    made_.begin.push_back(made_.corners.size());
+    made_.number.push_back(number);
+    made_.distance.push_back(at);
+  });
+}
+
+std::uint32_t SheetPolygonMaker::add_point(const Point3& p) {
+  made_.points.push_back(p);
+  return static_cast<std::uint32_t>(made_.points.size() - 1);
+}
+
+std::uint32_t SheetPolygonMaker::place(const SheetCorner& corner) {
+  if (!corner.is_constructed) {
+    const auto [at, is_new] = centres_.try_emplace(corner.place, 0);
+    if (is_new) at->second = add_point(to_nearest_doubles(values_.centre(corner.place)));
+    return at->second;
+  }
+  if (constructed_[corner.place] == none) {
+    const Point3 p = sheets_.chain().near_point(corner.place, 0x1p-20);
+    constructed_[corner.place] = add_point({p.x * unscale_, p.y * unscale_, p.z * unscale_});
+  }
+  return constructed_[corner.place];
+}
+
 SheetPolygons sheet_polygons(const FlowCells& flow, const Context& context) {
-  PolygonMaker maker(flow);
+  SheetPolygonMaker maker(flow, SheetParts::fresh);
   std::uint32_t number = 0;
   flow.for_each_critical_edge(context,
                               [&](std::uint32_t cell, unsigned edge) { maker.add(cell, edge, number++, context); });
@@ -77,8 +64,8 @@ SheetPolygons sheet_polygons(const FlowCells& flow, const Context& context) {
 VtkGrid grid_of_sheets(const SheetPolygons& sheets) {
   VtkGrid grid;
   grid.points = sheets.points;
-  for (std::size_t i = 0; i < sheets.number.size(); ++i) grid.add_cell(VtkCell::polygon, polygon(sheets, i));
-  grid.cell_integers = {{"index", std::vector<std::uint32_t>(sheets.number.size(), 1)}, {"number", sheets.number}};
+  for (std::size_t i = 0; i < sheets.count(); ++i) grid.add_cell(VtkCell::polygon, sheets.polygon(i));
+  grid.cell_integers = {{"index", std::vector<std::uint32_t>(sheets.count(), 1)}, {"number", sheets.number}};
   grid.cell_doubles = {{"distance", sheets.distance}};
   return grid;
 }
@@ -86,7 +73,7 @@ VtkGrid grid_of_sheets(const SheetPolygons& sheets) {
 Mesh mesh_of_sheets(const SheetPolygons& sheets) {
   Mesh mesh;
   mesh.vertices = sheets.points;
-  for (std::size_t i = 0; i < sheets.number.size(); ++i) mesh.add_face(polygon(sheets, i));
+  for (std::size_t i = 0; i < sheets.count(); ++i) mesh.add_face(sheets.polygon(i));
   return mesh;
 }
 

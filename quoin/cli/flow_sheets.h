@@ -4,10 +4,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "quoin/base/context.h"
 #include "quoin/cli/flow_outputs.h"
+#include "quoin/flow/critical_values.h"
 #include "quoin/flow/flow_regions.h"
 #include "quoin/flow/saddle_sheets.h"
 #include "quoin/io/vtk_grid.h"
@@ -25,8 +28,38 @@ struct SheetPolygons {
   std::vector<std::uint32_t> number;  ///< of each polygon: the first sheet that has it, by its critical edge
   std::vector<double> distance;       ///< of that edge's midpoint from the points
   std::size_t unbounded = 0;          ///< pieces that are left out
+
+  std::size_t count() const { return number.size(); }
+  std::span<const std::uint32_t> polygon(std::size_t i) const {
+    return std::span(corners).subspan(begin[i], begin[i + 1] - begin[i]);
+  }
 };
 SheetPolygons sheet_polygons(const FlowCells& flow, const Context& context);
+
+/// Makes them, one sheet after another: of fresh parts, or each sheet as a whole, whose corners no other one has then.
+class SheetPolygonMaker {
+ public:
+  /// The cells must outlive it.
+  SheetPolygonMaker(const FlowCells& flow, SheetParts parts);
+
+  /// The sheet of a critical edge, by its number in a simplex and that of the critical point. @throws Cancelled
+  void add(std::uint32_t cell, unsigned edge, std::uint32_t number, const Context& context);
+
+  const SheetPolygons& made() const { return made_; }
+  SheetPolygons take() { return std::move(made_); }
+
+ private:
+  std::uint32_t add_point(const Point3& p);
+  std::uint32_t place(const SheetCorner& corner);
+
+  SheetParts parts_;
+  SaddleSheets sheets_;
+  CriticalValues values_;
+  double unscale_;
+  SheetPolygons made_;
+  std::unordered_map<std::uint32_t, std::uint32_t> centres_;
+  std::vector<std::uint32_t> constructed_;
+};
 
 /// Corners of each piece that does not reach to infinity; how many do.
 template <class Visit>

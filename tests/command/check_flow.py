@@ -101,6 +101,25 @@ def volume_of_polyhedron(points, cell):
     return six / 6
 
 
+def cross(a, b):
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
+def area(triangle):
+    p, q, r = triangle
+    return math.hypot(*cross(minus(q, p), minus(r, p))) / 2
+
+
+def is_in_triangle(point, triangle, within=1e-5):
+    """Up to roundings of single precision."""
+    p, q, r = triangle
+    normal = cross(minus(q, p), minus(r, p))
+    length = math.hypot(*normal)
+    if length == 0 or abs(dot(normal, minus(point, p))) > within * length:
+        return False
+    return all(dot(cross(normal, minus(b, a)), minus(point, a)) > -within * length * math.hypot(*minus(b, a)) for a, b in ((p, q), (q, r), (r, p)))
+
+
 class FlowPage:
     """What a page of the flow says."""
 
@@ -114,6 +133,12 @@ class FlowPage:
         self.onward = {}
         for a, b in zip(links[0::2], links[1::2]):
             self.onward.setdefault(a, []).append(b)
+        raw = array(header["points"])
+        if header["points"]["type"] == "f32":
+            raw = [header["center"][i % 3] + header["scale"] * x for i, x in enumerate(raw)]
+        near = array(header["nearPoints"]) if "nearPoints" in header else []
+        raw = list(raw) + [header["center"][i % 3] + header["scale"] * x for i, x in enumerate(near)]
+        self.points = list(zip(raw[0::3], raw[1::3], raw[2::3]))
         self.layers = {}
         for layer in header["layers"]:
             width = {"points": 1, "segments": 2, "triangles": 3}[layer["kind"]]
@@ -206,12 +231,44 @@ class Pages(PageTest):
         page = self.flow_page("--unstable", "1", stdin=text)
         sheets = page.layers["Sheets (unstable 1)"]
         self.assertGreater(len(sheets), 100)
-        self.assertTrue(all(begin == 0 and owner is None for owner, begin, _ in sheets))
+        self.assertTrue(all(begin == 0 for _, begin, _ in sheets))
+        self.assertEqual(len({owner for owner, _, _ in sheets}), 1)  # hidden together
         told = [value for name, value in page.header["facts"] if name == "Sheets (unstable 1)"]
         self.assertIn("far beyond the points", told[0])
         report = self.json_of("flow", "-", "--stable", "3", stdin=text)["stable"]
         page = self.flow_page("--stable", "3", stdin=text)
         self.assertEqual(len(page.layers["Walls of regions (stable 3)"]), report["triangles"])
+
+    def test_single_sheets_are_those_together(self):
+        text = text_of(cloud(40, 3, seed=8))
+        page = self.flow_page("--unstable", "1", stdin=text)
+        together, each = page.layers["Sheets (unstable 1)"], page.layers["Single sheets (unstable 1)"]
+        places = {owner: page.points[at[0]] for owner, _, at in page.layers["Midpoints (index 1)"]}
+        begins = page.begins("Midpoints (index 1)")
+        self.assertNotIn(together[0][0], begins)
+        self.assertTrue(all(begins[owner] == begin for owner, begin, _ in each))
+        self.assertEqual([begin for _, begin, _ in each], sorted(begin for _, begin, _ in each))
+        triangles = {}
+        for owner, _, corners in each:
+            triangles.setdefault(owner, []).append([page.points[i] for i in corners])
+        # Of a midpoint inside the sheet has the whole Voronoi facet around it; near the hull that reaches to infinity.
+        inside = [owner for owner in triangles if all(0.35 < x < 0.65 for x in places[owner])]
+        self.assertGreater(len(inside), 3)
+        for owner in inside:
+            self.assertTrue(any(is_in_triangle(places[owner], t) for t in triangles[owner]))
+        self.assertGreater(len(triangles), 20)
+        source = random.Random(1)
+        all_each = [t for list_ in triangles.values() for t in list_]
+        all_together = [[page.points[i] for i in corners] for _, _, corners in together]
+        for some, others in ((all_together, all_each), (all_each, all_together)):
+            # Of slivers the rounding of single precision is larger than they are.
+            for t in source.sample([t for t in some if area(t) > 1e-4], 60):
+                centre = tuple(sum(c) / 3 for c in zip(*t))
+                self.assertTrue(any(is_in_triangle(centre, other) for other in others))
+        area_of_all = sum(map(area, all_together))
+        for list_ in triangles.values():
+            self.assertLess(sum(map(area, list_)), area_of_all * (1 + 1e-5))
+        self.assertGreater(sum(map(area, all_each)), area_of_all)
 
     def test_voids_are_as_deep_as_simplification_says(self):
         text = text_of(cloud(80, 3, seed=2))
