@@ -8,6 +8,14 @@
 
 namespace quoin::cli {
 
+namespace {
+
+ExactQuotient quotient_of(const Rational& value) {
+  return {value.numerator(), value.denominator()};
+}
+
+}  // namespace
+
 FlatGrades::FlatGrades(const FlowComplex& flow, const Context& context)
     : flow_(flow), edges_(critical_faces(flow, 1)), polygons_(critical_faces(flow, 2)), grades_(squares(), context) {
   for (const std::uint32_t i : grades_.order()) {
@@ -26,7 +34,8 @@ DeloneFace FlatGrades::face(std::uint32_t i) const {
 SquareList FlatGrades::squares() const {
   return {.count = edge_count() + static_cast<std::uint32_t>(polygons_.size()),
           .bounds = [this](std::uint32_t i) { return square_radius_bounds(flow_, face(i)); },
-          .exact = [this](std::uint32_t i) { return flow_.square_radius(face(i)); }};
+          .numbers = {[this](std::uint32_t i) { return Interval::around(flow_.square_radius(face(i))); },
+                      [this](std::uint32_t i) { return quotient_of(flow_.square_radius(face(i))); }}};
 }
 
 std::vector<std::uint32_t> joining_edges(const FlowComplex& flow, const FlatGrades& grades, const Context& context) {

@@ -18,6 +18,7 @@ std::vector<CriticalEdge> critical_edges(const FlowGraph& graph, const Context& 
 FlowGrades::FlowGrades(const FlowGraph& graph, const Context& context)
     : graph_(graph),
       values_(graph.cells().triangulation()),
+      spheres_(graph.cells().triangulation()),
       edges_(critical_edges(graph, context)),
       grades_(squares(), context) {
   for (const std::uint32_t i : grades_.order()) {
@@ -29,7 +30,8 @@ FlowGrades::FlowGrades(const FlowGraph& graph, const Context& context)
 SquareList FlowGrades::squares() const {
   return {.count = first_maximum() + static_cast<std::uint32_t>(graph_.maxima().size()),
           .bounds = [this](std::uint32_t i) { return bounds(i); },
-          .exact = [this](std::uint32_t i) { return exact(i); }};
+          .numbers = {[this](std::uint32_t i) { return spheres_.close_square(face(i)); },
+                      [this](std::uint32_t i) { return spheres_.exact_square(face(i)); }}};
 }
 
 Interval FlowGrades::bounds(std::uint32_t i) const {
@@ -38,10 +40,11 @@ Interval FlowGrades::bounds(std::uint32_t i) const {
   return graph_.maxima()[i - first_maximum()].square;
 }
 
-Rational FlowGrades::exact(std::uint32_t i) const {
-  if (i < first_saddle()) return values_.exactly_of_edge(edges_[i].cell, edges_[i].edge);
-  if (i < first_maximum()) return graph_.exact_square_of_saddle(i - first_saddle());
-  return graph_.exact_square_of_maximum(i - first_maximum());
+CriticalFace FlowGrades::face(std::uint32_t i) const {
+  const FlowCells& flow = graph_.cells();
+  if (i < first_saddle()) return CriticalFace::edge(flow, edges_[i].cell, edges_[i].edge);
+  if (i < first_maximum()) return CriticalFace::facet(flow, graph_.saddles()[i - first_saddle()].facet);
+  return CriticalFace::simplex(flow, graph_.maxima()[i - first_maximum()].cell);
 }
 
 }  // namespace quoin::cli

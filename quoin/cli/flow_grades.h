@@ -7,6 +7,7 @@
 
 #include "quoin/base/context.h"
 #include "quoin/cli/square_grades.h"
+#include "quoin/flow/critical_spheres.h"
 #include "quoin/flow/flow_graph.h"
 
 namespace quoin::cli {
@@ -47,10 +48,11 @@ class FlowGrades {
   std::uint32_t first_maximum() const { return first_saddle() + static_cast<std::uint32_t>(graph_.saddles().size()); }
   SquareList squares() const;
   Interval bounds(std::uint32_t i) const;
-  Rational exact(std::uint32_t i) const;
+  CriticalFace face(std::uint32_t i) const;
 
   const FlowGraph& graph_;
   CriticalValues values_;
+  CriticalSpheres spheres_;
   std::vector<CriticalEdge> edges_;
   SquareGrades grades_;  // of edges, saddles, maxima
   std::vector<std::uint32_t> edges_in_order_;

@@ -9,6 +9,7 @@
 #include "quoin/base/context.h"
 #include "quoin/number/interval.h"
 #include "quoin/number/rational.h"
+#include "quoin/triangulation/exact_ranks.h"
 
 namespace quoin::cli {
 
@@ -16,7 +17,7 @@ namespace quoin::cli {
 struct SquareList {
   std::uint32_t count = 0;
   std::function<Interval(std::uint32_t)> bounds;
-  std::function<Rational(std::uint32_t)> exact;
+  NumberSource numbers;
 };
 
 /// Squared distances, ascending, as grades: equal ones are one grade. Grade 0 is zero, before all of them. The order is
@@ -31,20 +32,15 @@ class SquareGrades {
   std::uint32_t count() const { return static_cast<std::uint32_t>(squares_.size()); }
   /// Up to a few units in the last place; infinite beyond the largest double. Never descending.
   double square(std::uint32_t grade) const { return squares_[grade]; }
-  std::uint32_t of(std::uint32_t i) const { return grade_[i]; }
+  std::uint32_t of(std::uint32_t i) const { return 1 + ranks_.rank[i]; }
   /// How many grades are at most this. Exact. O(log n)
   std::uint32_t up_to(const Rational& square) const;
 
  private:
-  void add_group(std::span<const std::uint32_t> group, std::span<const Interval> squares, const Context& context);
-  void add_grade(double square, std::uint32_t example);
-  void add(std::uint32_t i);
-
   SquareList list_;
   std::vector<std::uint32_t> order_;
-  std::vector<std::uint32_t> grade_;
-  std::vector<double> squares_{0};      // by grade
-  std::vector<std::uint32_t> example_;  // by grade but the first: a thing that has it
+  ExactRanks ranks_;                // of grades but the first
+  std::vector<double> squares_{0};  // by grade
 };
 
 }  // namespace quoin::cli

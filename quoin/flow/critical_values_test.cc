@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "quoin/flow/critical_spheres.h"
 #include "quoin/triangulation/test_clouds.h"
 
 namespace quoin {
@@ -23,6 +24,46 @@ void check_near(const Point3& near, const RationalPoint3& exact, double corners)
   const RationalPoint3 off = exact - exact_point(near);
   const Rational most = std::max({Rational(corners), abs(exact.x), abs(exact.y), abs(exact.z)});
   for (unsigned axis = 0; axis < 3; ++axis) ASSERT_LE(abs(off[axis]), most * Rational(0x1p-30));
+}
+
+/// Of all faces, critical or not.
+TEST(CriticalSpheres, AreTheValuesOfTheirFaces) {
+  Random random(106);
+  std::size_t compared = 0;
+  for (const double scale : {1.0, 0x1p700, 0x1p-700}) {
+    for (const double flatness : {1.0, 0x1p-60}) {
+      for (const bool is_grid : {false, true}) {
+        std::vector<Point3> points = testing::near_sphere(random, 30);
+        for (Point3& p : points) {
+          if (is_grid) p = {std::round(8 * p.x), std::round(8 * p.y), std::round(8 * p.z)};
+          p = {(p.x + 3) * scale, p.y * scale, p.z * flatness * scale};
+        }
+        const Delaunay3 triangulation(points, context());
+        if (triangulation.dimension() < 3) continue;
+        const FlowCells cells(triangulation, context());
+        const CriticalValues values(triangulation);
+        const CriticalSpheres spheres(triangulation);
+        const auto compare = [&](const CriticalFace& face, const Rational& square) {
+          const Interval close = spheres.close_square(face);
+          ASSERT_EQ(spheres.exact_square(face).rational(), square);
+          ASSERT_TRUE(Rational(close.lower()) <= square);
+          ASSERT_TRUE(std::isinf(close.upper()) || square <= Rational(close.upper()));
+          ++compared;
+        };
+        for (std::uint32_t c = 0; c < cells.cells().size(); ++c) {
+          if (cells.is_ghost(c)) continue;
+          compare(CriticalFace::simplex(cells, c), values.exactly_of_cell(c));
+          for (unsigned slot = 0; slot < 4; ++slot) {
+            const CellFacet facet{c, slot};
+            compare(CriticalFace::facet(cells, facet), values.exactly_of_facet(facet));
+          }
+          for (unsigned edge = 0; edge < 6; ++edge)
+            compare(CriticalFace::edge(cells, c, edge), values.exactly_of_edge(c, edge));
+        }
+      }
+    }
+  }
+  EXPECT_GT(compared, 5000U);
 }
 
 TEST(CriticalValues, NearCentresAreNear) {

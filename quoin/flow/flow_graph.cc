@@ -6,6 +6,8 @@
 
 #include "quoin/base/disjoint_sets.h"
 #include "quoin/base/error.h"
+#include "quoin/flow/critical_spheres.h"
+#include "quoin/triangulation/exact_ranks.h"
 
 namespace quoin {
 
@@ -33,43 +35,41 @@ std::uint32_t FlowGraph::place(SaddleEnd end, SaddleArcs& arcs, const Context& c
   return static_cast<std::uint32_t>(found - maxima_.begin());
 }
 
-// By bounds; where those of several overlap, by exact values, each computed once.
-template <class Bounds, class Exact>
-std::vector<std::uint32_t> FlowGraph::ascending(std::size_t count, const Bounds& bounds, const Exact& exact,
-                                                const Context& context) {
-  std::vector<std::uint32_t> order(count);
-  std::iota(order.begin(), order.end(), 0U);
-  context.poll();
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return bounds(a).lower() < bounds(b).lower() || (bounds(a).lower() == bounds(b).lower() && a < b);
-  });
-  for (std::size_t begin = 0; begin < count;) {
-    double high = bounds(order[begin]).upper();
-    std::size_t end = begin + 1;
-    for (; end < count && bounds(order[end]).lower() <= high; ++end) {
-      high = std::max(high, bounds(order[end]).upper());
-    }
-    std::vector<std::pair<Rational, std::uint32_t>> group;
-    for (std::size_t i = begin; end - begin > 1 && i < end; ++i) {
-      if (i % 256 == 0) context.poll();
-      group.emplace_back(exact(order[i]), order[i]);
-    }
-    std::sort(group.begin(), group.end());
-    for (std::size_t i = 0; i < group.size(); ++i) order[begin + i] = group[i].second;
-    begin = end;
-  }
-  return order;
+namespace {
+
+/// What `face(i)` has, by ascending squares, given bounds; ties by number.
+template <class Face>
+ExactRanks ranks_of(std::span<const Interval> bounds, const CriticalSpheres& spheres, const Face& face,
+                    const Context& context) {
+  const NumberSource source{[&](std::uint32_t i) { return spheres.close_square(face(i)); },
+                            [&](std::uint32_t i) { return spheres.exact_square(face(i)); }};
+  return exact_ranks(bounds, source, context);
 }
 
+template <class Things>
+std::vector<Interval> squares_of(const Things& things) {
+  std::vector<Interval> squares;
+  squares.reserve(things.size());
+  for (const auto& thing : things) squares.push_back(thing.square);
+  return squares;
+}
+
+}  // namespace
+
 std::vector<FlowGraph::Pair> FlowGraph::pairs(const Context& context) const {
-  const std::vector<std::uint32_t> by_height = ascending(
-      maxima_.size(), [this](std::uint32_t i) -> const Interval& { return maxima_[i].square; },
-      [this](std::uint32_t i) { return exact_square_of_maximum(i); }, context);
+  const CriticalSpheres spheres(flow_.triangulation());
+  const std::vector<std::uint32_t> by_height =
+      ranks_of(
+          squares_of(maxima_), spheres,
+          [this](std::uint32_t i) { return CriticalFace::simplex(flow_, maxima_[i].cell); }, context)
+          .order();
   std::vector<std::uint32_t> rank(maxima_.size() + 1, infinity());
   for (std::uint32_t i = 0; i < by_height.size(); ++i) rank[by_height[i]] = i;
-  const std::vector<std::uint32_t> order = ascending(
-      saddles_.size(), [this](std::uint32_t i) -> const Interval& { return saddles_[i].square; },
-      [this](std::uint32_t i) { return exact_square_of_saddle(i); }, context);
+  const std::vector<std::uint32_t> order =
+      ranks_of(
+          squares_of(saddles_), spheres,
+          [this](std::uint32_t i) { return CriticalFace::facet(flow_, saddles_[i].facet); }, context)
+          .order();
   DisjointSets regions(maxima_.size() + 1);
   std::vector<std::uint32_t> highest(maxima_.size() + 1);
   std::iota(highest.begin(), highest.end(), 0U);

@@ -71,9 +71,6 @@ class FlowGraph {
   std::array<std::size_t, 4> counts(const Rational& square, const Context& context) const;
 
  private:
-  template <class Bounds, class Exact>
-  static std::vector<std::uint32_t> ascending(std::size_t count, const Bounds& bounds, const Exact& exact,
-                                              const Context& context);
   std::uint32_t place(SaddleEnd end, SaddleArcs& arcs, const Context& context);
 
   const FlowCells& flow_;

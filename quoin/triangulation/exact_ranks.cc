@@ -248,6 +248,15 @@ class Ranking {
 
 }  // namespace
 
+std::vector<std::uint32_t> ExactRanks::order() const {
+  std::vector<std::uint32_t> next(first.size() + 1, 0);
+  for (const std::uint32_t r : rank) ++next[r + 1];
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  std::vector<std::uint32_t> items(rank.size());
+  for (std::uint32_t i = 0; i < rank.size(); ++i) items[next[rank[i]]++] = i;
+  return items;
+}
+
 ExactRanks exact_ranks(std::span<const Interval> bounds, const NumberSource& source, const Context& context) {
   return Ranking(bounds, source, context).run();
 }

@@ -16,6 +16,9 @@ namespace quoin {
 struct ExactRanks {
   std::vector<std::uint32_t> rank;   ///< by item
   std::vector<std::uint32_t> first;  ///< of each rank the item of the least number
+
+  /// All items by ascending rank, equal ones by number. O(n).
+  std::vector<std::uint32_t> order() const;
 };
 
 /// Numbers that are asked for only where intervals of them overlap.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 #include "quoin/base/test_rounds.h"
@@ -119,6 +120,11 @@ TEST(ExactRanks, AreThoseOfTheNumbers) {
       ASSERT_LE(ranks.first[ranks.rank[i]], i);
       ASSERT_EQ(numbers[ranks.first[ranks.rank[i]]], numbers[i]);
     }
+    std::vector<std::uint32_t> order(numbers.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return numbers[a] < numbers[b]; });
+    ASSERT_EQ(ranks.order(), order);
   }
 }
 
