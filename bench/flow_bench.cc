@@ -98,6 +98,7 @@ struct Result {
   std::array<std::size_t, 4> critical{};
   CellSignCounts undecided;
   double delaunay = 0;
+  double unordered_s2 = 0;  // and tables, of cells in the order of insertion
   double ordered = 0;
   double tables = 0;
   double s2 = 0;
@@ -119,7 +120,11 @@ Result measure(const std::vector<Point3>& points, const Words& words) {
   {
     const Delaunay3 unordered(points, context);
     result.delaunay = clock.lap();
+    const FlowCells flow(unordered, context);
+    survey_stable(flow, context);
+    result.unordered_s2 = clock.lap();
   }
+  clock.lap();
   const Delaunay3 triangulation(points, context, {.is_canonical = true});
   result.ordered = clock.lap();
   const FlowCells flow(triangulation, context);
@@ -181,8 +186,9 @@ void print_json(const Result& r, const Words& words) {
   const std::array<std::size_t, 4>& c = r.critical;
   std::printf(
       "{\"points\": %zu, \"distinct\": %zu, \"critical\": [%zu, %zu, %zu, %zu], \"sum\": %ld, \"delaunay\": %.6f, "
-      "\"ordered\": %.6f, \"tables\": %.6f, \"s2\": %.6f, \"u2\": %.6f",
-      r.points, r.distinct, c[0], c[1], c[2], c[3], r.sum(), r.delaunay, r.ordered, r.tables, r.s2, r.u2);
+      "\"unordered_s2\": %.6f, \"ordered\": %.6f, \"tables\": %.6f, \"s2\": %.6f, \"u2\": %.6f",
+      r.points, r.distinct, c[0], c[1], c[2], c[3], r.sum(), r.delaunay, r.unordered_s2, r.ordered, r.tables, r.s2,
+      r.u2);
   print_json("ns2", r.stable.depths);
   print_json("nu2", r.unstable.segments);
   print_json("nwcc", r.unstable.cascades);

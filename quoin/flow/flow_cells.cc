@@ -17,7 +17,7 @@ constexpr std::uint8_t is_cluster = 12;
 constexpr std::uint8_t is_member = 13;
 constexpr std::uint8_t is_unknown = 14;
 
-constexpr std::size_t fetched_before = 8;  // simplices
+constexpr std::size_t fetched_before = 16;  // simplices
 
 CellWay way_of(std::uint8_t code, std::uint32_t cell) {
   if (code < 4) return {CellWay::Kind::facet, cell, code};
@@ -40,7 +40,10 @@ FlowCells::FlowCells(const Delaunay3& triangulation, const Context& context)
 /// The neighbours of a simplex whose turn comes soon.
 void FlowCells::fetch_neighbours(std::size_t cell) const {
   if (cell >= cells_.size()) return;
-  for (const std::uint32_t mate : cells_[cell].neighbours) __builtin_prefetch(&cells_[mate >> 2]);
+  for (const std::uint32_t mate : cells_[cell].neighbours) {
+    __builtin_prefetch(&cells_[mate >> 2]);
+    __builtin_prefetch(&rows_[mate >> 2], 1);
+  }
 }
 
 void FlowCells::find_shapes(const Context& context) {
