@@ -20,8 +20,9 @@ class DelaunayLocator {
 
   /// The smallest face that the point is in, by a walk from the cell of an earlier answer, or, without it or where the
   /// walk from there takes more than `most_steps_from_hint` steps, from a vertex sampled near (Mücke, Saias and Zhu
-  /// 1999); it ends, since cells are in an acyclic order as seen from any point (Edelsbrunner 1990). Of dimension 2 the same in the plane, in dimension 1 a search, O(log n); a point off the
-  /// plane or line of all vertices is outside their affine hull.
+  /// 1999); it ends, since cells are in an acyclic order as seen from any point (Edelsbrunner 1990). Of dimension 2 the
+  /// same in the plane, in dimension 1 a search, O(log n); a point off the plane or line of all vertices is outside
+  /// their affine hull.
   /// @throws InputError if the point is not finite
   DelaunayLocation locate(const Point3& p, std::uint32_t start = VertexStars::no_cell) const;
 

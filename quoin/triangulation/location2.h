@@ -20,8 +20,9 @@ struct Location2 {
 };
 
 /// The face that holds the query in its relative interior, exactly. Walks from the vertex `near`, or, without it or
-/// where that takes more than `most_steps_from_hint` steps (delaunay_walks.h), from the nearest of a few samples: O(n^(1/3)) expected for points spread evenly. Source: Mücke, Saias and Zhu 1999; the walk ends by
-/// the acyclicity theorem of Edelsbrunner 1990, of regular triangulations, too.
+/// where that takes more than `most_steps_from_hint` steps (delaunay_walks.h), from the nearest of a few samples:
+/// O(n^(1/3)) expected for points spread evenly. Source: Mücke, Saias and Zhu 1999; the walk ends by the acyclicity
+/// theorem of Edelsbrunner 1990, of regular triangulations, too.
 /// @throws InputError  the query is not finite
 Location2 locate(const TriangulationView2& triangulation, const Point2& query, Vertex2 near = Vertex2());
 
