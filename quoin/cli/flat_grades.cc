@@ -10,14 +10,20 @@ namespace quoin::cli {
 
 namespace {
 
-ExactQuotient quotient_of(const Rational& value) {
-  return {value.numerator(), value.denominator()};
+std::vector<Point3> points_of(const FlowComplex& flow) {
+  std::vector<Point3> points;
+  for (std::uint32_t v = 0; v < flow.faces().count(0); ++v) points.push_back(flow.point(v));
+  return points;
 }
 
 }  // namespace
 
 FlatGrades::FlatGrades(const FlowComplex& flow, const Context& context)
-    : flow_(flow), edges_(critical_faces(flow, 1)), polygons_(critical_faces(flow, 2)), grades_(squares(), context) {
+    : flow_(flow),
+      spheres_(points_of(flow)),
+      edges_(critical_faces(flow, 1)),
+      polygons_(critical_faces(flow, 2)),
+      grades_(squares(), context) {
   for (const std::uint32_t i : grades_.order()) {
     if (i < edge_count()) {
       edges_in_order_.push_back(i);
@@ -31,11 +37,20 @@ DeloneFace FlatGrades::face(std::uint32_t i) const {
   return i < edge_count() ? DeloneFace{1, edges_[i]} : DeloneFace{2, polygons_[i - edge_count()]};
 }
 
+CriticalFace FlatGrades::critical(std::uint32_t i) const {
+  if (i < edge_count()) {
+    const std::array<std::uint32_t, 2> ends = flow_.faces().edge(edges_[i]);
+    return {{ends[0], ends[1]}, 2};
+  }
+  const std::span<const std::uint32_t> corners = flow_.faces().polygon(polygons_[i - edge_count()]);
+  return {{corners[0], corners[1], corners[2]}, 3};
+}
+
 SquareList FlatGrades::squares() const {
   return {.count = edge_count() + static_cast<std::uint32_t>(polygons_.size()),
           .bounds = [this](std::uint32_t i) { return square_radius_bounds(flow_, face(i)); },
-          .numbers = {[this](std::uint32_t i) { return Interval::around(flow_.square_radius(face(i))); },
-                      [this](std::uint32_t i) { return quotient_of(flow_.square_radius(face(i))); }}};
+          .numbers = {[this](std::uint32_t i) { return spheres_.close_square(critical(i)); },
+                      [this](std::uint32_t i) { return spheres_.exact_square(critical(i)); }}};
 }
 
 std::vector<std::uint32_t> joining_edges(const FlowComplex& flow, const FlatGrades& grades, const Context& context) {

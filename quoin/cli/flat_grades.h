@@ -8,6 +8,7 @@
 
 #include "quoin/base/context.h"
 #include "quoin/cli/square_grades.h"
+#include "quoin/flow/critical_spheres.h"
 #include "quoin/flow/flat_flow.h"
 
 namespace quoin::cli {
@@ -39,9 +40,11 @@ class FlatGrades {
  private:
   std::uint32_t edge_count() const { return static_cast<std::uint32_t>(edges_.size()); }
   DeloneFace face(std::uint32_t i) const;
+  CriticalFace critical(std::uint32_t i) const;
   SquareList squares() const;
 
   const FlowComplex& flow_;
+  CriticalSpheres spheres_;
   std::vector<std::uint32_t> edges_;
   std::vector<std::uint32_t> polygons_;
   SquareGrades grades_;  // of edges, then polygons

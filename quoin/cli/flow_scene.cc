@@ -95,8 +95,9 @@ class FlowScene {
     return {vertices[edge_slots[at.edge][0]], vertices[edge_slots[at.edge][1]]};
   }
 
-  bool has_owned() const {
-    return page_.edges || page_.surfaces || page_.ways || page_.sheets || !page_.wall_name.empty();
+  /// Whether critical points of an index own something in the page.
+  bool has_owned(std::size_t index) const {
+    return page_.edges || page_.surfaces || page_.ways || has_walls() || (page_.sheets && index == 1);
   }
   bool has_walls() const { return !page_.wall_name.empty(); }
   bool has_surfaces() const { return page_.surfaces || has_walls(); }
@@ -160,7 +161,7 @@ class FlowScene {
       if (!which.empty() && !which[i]) continue;
       layer.vertices.push_back(first + i);
       layer.begin.push_back(stops_.stop_of(grade_of(i)));
-      if (has_owned()) layer.owners.push_back(first + i - places_.first_edge);
+      if (has_owned(index)) layer.owners.push_back(first + i - places_.first_edge);
     }
     const std::size_t most_maxima = has_surfaces() ? most_on_surfaces : most_maxima_at_first;
     // Where sheets are, midpoints are there to be picked.

@@ -40,6 +40,8 @@ class SheetLayer {
       layer_.vertices.insert(layer_.vertices.end(), {place_[corners[0]], place_[corners[k - 1]], place_[corners[k]]});
     }
   }
+  /// What comes is of other polygons.
+  void forget_corners() { place_.clear(); }
   void say(std::size_t count, const char* what) {
     if (count > 0) scene_.facts.emplace_back(layer_.name, std::to_string(count) + " " + what);
   }
@@ -79,18 +81,23 @@ SceneLayer one_by_one(const FlowGraph& graph, const FlowGrades& grades, const Fl
                       const PageValues& stops, const SceneBox& box, LayeredScene& scene, const Context& context) {
   SheetLayer made("Single sheets (unstable 1)", false, box, scene);
   SceneLayer& layer = made.layer();
-  SheetPolygonMaker sheets(graph.cells(), SheetParts::all);
-  std::size_t next = 0;
+  SheetPolygonMaker maker(graph.cells(), SheetParts::all);
+  std::size_t points_before = scene.near_points.size();  // those of sheets that begin before the last stop
   for (const std::uint32_t i : grades.edges_in_order()) {
     const std::uint32_t stop = stops.stop_of(grades.of_edge(i));
-    sheets.add(grades.edges()[i].cell, grades.edges()[i].edge, i, context);
-    for (; next < sheets.made().count(); ++next) {
-      if (!made.is_far(sheets.made(), next)) made.add(sheets.made(), next);
+    if (layer.begin.empty() || layer.begin.back() != stop) points_before = scene.near_points.size();
+    maker.add(grades.edges()[i].cell, grades.edges()[i].edge, i, context);
+    const SheetPolygons sheet = maker.take();
+    made.forget_corners();
+    for (std::size_t k = 0; k < sheet.count(); ++k) {
+      if (k % 1024 == 0) context.poll();
+      if (!made.is_far(sheet, k)) made.add(sheet, k);
     }
     layer.begin.resize(made.triangles(), stop);
     layer.owners.resize(made.triangles(), places.owner_of_edge(i));
     if (made.triangles() > most_picked_triangles) {
       cut_layer(layer, stop, stops, scene);
+      scene.near_points.resize(points_before);
       break;
     }
   }

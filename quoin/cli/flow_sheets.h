@@ -18,14 +18,14 @@
 
 namespace quoin::cli {
 
-/// All unstable sheets of saddles of index 1 together, each part once: polygons with shared corners. Voronoi vertices
-/// are exact ones, each coordinate rounded to the nearest double, constructed points good to six digits of the largest
-/// coordinate, so that polygons are flat up to that.
+/// Unstable sheets of saddles of index 1 as polygons. Voronoi vertices are exact ones, each coordinate rounded to the
+/// nearest double, constructed points good to six digits of the largest coordinate, so that polygons are flat up to
+/// that.
 struct SheetPolygons {
   std::vector<Point3> points;
   std::vector<std::uint32_t> corners;  ///< of one polygon after the other
   std::vector<std::size_t> begin{0};
-  std::vector<std::uint32_t> number;  ///< of each polygon: the first sheet that has it, by its critical edge
+  std::vector<std::uint32_t> number;  ///< of each polygon: the sheet that it was made of, by its critical edge
   std::vector<double> distance;       ///< of that edge's midpoint from the points
   std::size_t unbounded = 0;          ///< pieces that are left out
 
@@ -34,9 +34,10 @@ struct SheetPolygons {
     return std::span(corners).subspan(begin[i], begin[i + 1] - begin[i]);
   }
 };
+/// All sheets together, each part once, of the first sheet that has it; corners are shared.
 SheetPolygons sheet_polygons(const FlowCells& flow, const Context& context);
 
-/// Makes them, one sheet after another: of fresh parts, or each sheet as a whole, whose corners no other one has then.
+/// Makes them, one sheet after another: of fresh parts, or each sheet as a whole, which is to be taken before the next.
 class SheetPolygonMaker {
  public:
   /// The cells must outlive it.
@@ -45,8 +46,7 @@ class SheetPolygonMaker {
   /// The sheet of a critical edge, by its number in a simplex and that of the critical point. @throws Cancelled
   void add(std::uint32_t cell, unsigned edge, std::uint32_t number, const Context& context);
 
-  const SheetPolygons& made() const { return made_; }
-  SheetPolygons take() { return std::move(made_); }
+  SheetPolygons take() { return std::exchange(made_, {}); }
 
  private:
   std::uint32_t add_point(const Point3& p);

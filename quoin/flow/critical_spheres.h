@@ -2,8 +2,10 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
-#include <span>
+#include <utility>
+#include <vector>
 
 #include "quoin/flow/flow_cells.h"
 #include "quoin/triangulation/smallest_spheres.h"
@@ -25,6 +27,7 @@ struct CriticalFace {
 class CriticalSpheres {
  public:
   /// O(n), 24 bytes per vertex.
+  explicit CriticalSpheres(std::vector<Point3> points) : spheres_(std::move(points)) {}
   explicit CriticalSpheres(const Delaunay3& triangulation);
 
   /// Of a width of a few units in the last place.

@@ -48,6 +48,9 @@ TEST(CriticalSpheres, AreTheValuesOfTheirFaces) {
           ASSERT_EQ(spheres.exact_square(face).rational(), square);
           ASSERT_TRUE(Rational(close.lower()) <= square);
           ASSERT_TRUE(std::isinf(close.upper()) || square <= Rational(close.upper()));
+          if (std::isfinite(close.upper()) && close.lower() > 0x1p-1000) {
+            ASSERT_LE(close.upper() - close.lower(), 0x1p-49 * close.upper());
+          }
           ++compared;
         };
         for (std::uint32_t c = 0; c < cells.cells().size(); ++c) {

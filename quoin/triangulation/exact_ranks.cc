@@ -162,7 +162,8 @@ class Ranking {
   }
 
   static bool is_close(const Interval& bounds) {
-    return bounds.upper() - bounds.lower() <= 0x1p-47 * std::max(std::fabs(bounds.lower()), std::fabs(bounds.upper()));
+    const double width = bounds.upper() - bounds.lower();
+    return std::isfinite(width) && width <= 0x1p-47 * std::max(std::fabs(bounds.lower()), std::fabs(bounds.upper()));
   }
 
   /// By their leading bits; none is larger in magnitude.

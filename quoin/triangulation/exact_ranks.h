@@ -21,7 +21,7 @@ struct ExactRanks {
   std::vector<std::uint32_t> order() const;
 };
 
-/// Numbers that are asked for only where intervals of them overlap.
+/// Numbers that exact_ranks asks for only where intervals of them overlap.
 struct NumberSource {
   std::function<Interval(std::uint32_t item)> closer;  ///< of a width of a few units in the last place
   std::function<ExactQuotient(std::uint32_t item)> exact;

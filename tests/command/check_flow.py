@@ -167,6 +167,18 @@ class FlowPage:
         assert len(links) == 1, links
 
 
+def check_values(test, page, expected, factor):
+    """Those of the same points, scaled."""
+    test.assertEqual(len(page.values), len(expected.values))
+    for found, before in zip(page.values, expected.values):
+        try:
+            value = float(Fraction(before) * Fraction(factor) ** 2)
+        except OverflowError:
+            value = math.inf
+        if value > 1e-290:
+            test.assertTrue(found == value or abs(found - value) < 1e-12 * value, (found, value))
+
+
 class Pages(PageTest):
     def flow_page(self, *words, stdin):
         return FlowPage(*self.page("flow", "-", *words, stdin=stdin))
@@ -307,8 +319,9 @@ class Pages(PageTest):
         self.run_quoin("flow", "-", "--stable", "2", "--unstable", "2", "-o", "x.html", "-o", "x.vtk", stdin=text_of(CUBE), code=USAGE)
         points = cloud(30, 3, seed=5)
         expected = self.flow_page(stdin=text_of(points))
-        for factor in (2.0 ** 300, 2.0 ** 900, 2.0 ** -900):
+        for factor in (2.0 ** 135, 2.0 ** 200, 2.0 ** 300, 2.0 ** 400, 2.0 ** 900, 2.0 ** -200, 2.0 ** -400, 2.0 ** -900):
             page = self.flow_page(stdin=text_of([tuple(c * factor for c in p) for p in points]))
+            check_values(self, page, expected, factor)
             self.assertEqual(page.counts, expected.counts)
             self.assertEqual({name: len(list_) for name, list_ in page.layers.items()},
                              {name: len(list_) for name, list_ in expected.layers.items()})
@@ -432,8 +445,9 @@ class FlatPages(PageTest):
     def test_extremes_and_memory(self):
         points = flat_cloud(30, 8)
         expected = self.flow_page(stdin=text_of(points))
-        for factor in (2.0 ** 300, 2.0 ** 1000, 2.0 ** -900):
+        for factor in (2.0 ** 110, 2.0 ** 300, 2.0 ** 400, 2.0 ** 1000, 2.0 ** -140, 2.0 ** -400, 2.0 ** -900):
             page = self.flow_page(stdin=text_of([tuple(c * factor for c in p) for p in points]))
+            check_values(self, page, expected, factor)
             self.assertEqual(page.counts, expected.counts)
             self.assertEqual({name: len(list_) for name, list_ in page.layers.items()},
                              {name: len(list_) for name, list_ in expected.layers.items()})
