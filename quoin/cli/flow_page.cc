@@ -9,7 +9,7 @@ namespace quoin::cli {
 namespace {
 
 constexpr std::size_t most_points_by_default = 100'000;
-constexpr std::size_t most_points_with_tunnels = 20'000;
+constexpr std::size_t most_points_with_tunnels = 100'000;
 
 }  // namespace
 
