@@ -111,7 +111,8 @@ int DelaunaySigns::close_sphere(std::uint32_t a, std::uint32_t b, std::uint32_t 
 
 bool DelaunaySigns::close_conflict(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d, std::uint32_t q,
                                    double value) const {
-  const int sign = close_sphere(a, b, c, d, q, value);
+  // Where doubles are exact the filter's bound is zero, and so is what it does not decide.
+  const int sign = is_sphere_exact_ ? 0 : close_sphere(a, b, c, d, q, value);
   if (sign != 0) return sign > 0;
   const std::array<std::uint32_t, 5> v{a, b, c, d, q};
   const auto sign_of_four = [this](auto... vertices) { return orientation(vertices...); };
