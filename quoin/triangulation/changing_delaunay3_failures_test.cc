@@ -170,9 +170,13 @@ TEST(ChangingDelaunay3, BadInputIsRefused) {
   EXPECT_EQ(changing.multiplicity(changing.insert({-0.0, 0, -0.0})), 2U);
   EXPECT_THROW(changing.star(0), InputError);
   EXPECT_THROW(changing.neighbours(no_vertex), InputError);
-  EXPECT_THROW(changing.locate({0, 0, 0}), InputError);
+  EXPECT_EQ(changing.locate({0, 0, 0}).kind, DelaunayLocation::Kind::vertex);
+  EXPECT_EQ(changing.locate({0.5, 0, 0}).kind, DelaunayLocation::Kind::edge);
+  EXPECT_EQ(changing.locate({0, 0, 1}).kind, DelaunayLocation::Kind::outside_affine_hull);
+  EXPECT_THROW(changing.locate({0, 0, std::numeric_limits<double>::infinity()}), InputError);
   EXPECT_THROW(changing.nearest({0, 0, std::numeric_limits<double>::quiet_NaN()}), InputError);
   const ChangingDelaunay3 none(std::vector<Point3>{}, context);
+  EXPECT_THROW(none.locate({0, 0, 0}), InputError);
   EXPECT_EQ(none.dimension(), -1);
   EXPECT_THROW(none.nearest({0, 0, 0}), InputError);
   EXPECT_TRUE(none.canonical_cells(context).cells.empty());

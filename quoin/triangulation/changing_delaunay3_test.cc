@@ -11,7 +11,9 @@
 
 #include "quoin/base/error.h"
 #include "quoin/base/test_rounds.h"
+#include "quoin/kernel/predicates2.h"
 #include "quoin/kernel/predicates3.h"
+#include "quoin/triangulation/delaunay_location.h"
 #include "quoin/triangulation/test_changing3.h"
 #include "quoin/triangulation/test_clouds.h"
 
@@ -244,6 +246,47 @@ std::vector<Point3> places(Random& random, const std::vector<Point3>& points) {
   return list;
 }
 
+/// Points of a face of a triangulation below dimension 3, ascending.
+template <class At>
+std::vector<Point3> face_points(const TriangulationCell& cell, const DelaunayLocation& found, const At& at) {
+  std::vector<Point3> points;
+  for (unsigned i = 0; i < 4; ++i) {
+    if ((found.slots >> i & 1) != 0) points.push_back(at(cell.vertices[i]));
+  }
+  std::sort(points.begin(), points.end(),
+            [](const Point3& a, const Point3& b) { return lexicographically_less(a, b); });
+  return points;
+}
+
+/// Below dimension 3, of a point that is in the hull, outside, or off the plane or line.
+void expect_found_as_without_changes(const ChangingDelaunay3& changing, const Point3& p) {
+  std::vector<Point3> rest;
+  for (std::uint32_t v = 0; v < changing.id_count(); ++v) {
+    if (changing.lives(v)) rest.push_back(changing.point(v));
+  }
+  const Delaunay3 t(rest, context);
+  const DelaunayLocation expected = DelaunayLocator(t).locate(p);
+  const DelaunayLocation found = changing.locate(p);
+  ASSERT_EQ(found.kind, expected.kind);
+  const CellArray flat = changing.flat_cells();
+  if (found.kind == DelaunayLocation::Kind::outside_affine_hull) return;
+  if (found.kind == DelaunayLocation::Kind::outside) {
+    EXPECT_EQ(flat[found.cell].vertices[static_cast<std::size_t>(changing.dimension())], vertex_at_infinity);
+    return;
+  }
+  const auto points = face_points(flat[found.cell], found, [&](std::uint32_t v) { return changing.point(v); });
+  if (found.kind != DelaunayLocation::Kind::facet) {
+    EXPECT_EQ(points, face_points(t.cells()[expected.cell], expected, [&](std::uint32_t v) { return t.point(v); }));
+  }
+  // Of triangles there may be another diagonal: the point is inside, seen along any axis.
+  for (std::size_t axis = 0; points.size() == 3 && axis < 3; ++axis) {
+    const auto along = [axis](const Point3& q) { return Point2{q[(axis + 1) % 3], q[(axis + 2) % 3]}; };
+    const Sign turn = orientation(along(points[0]), along(points[1]), along(points[2]));
+    for (unsigned i = 0; i < 3; ++i)
+      EXPECT_EQ(orientation(along(points[i]), along(points[(i + 1) % 3]), along(p)), turn);
+  }
+}
+
 TEST(ChangingDelaunay3, FindsPlacesAndNearestVertices) {
   Random random(11);
   for (const Cloud& cloud : testing::clouds(random, 24)) {
@@ -261,7 +304,8 @@ TEST(ChangingDelaunay3, FindsPlacesAndNearestVertices) {
       }
       EXPECT_EQ(changing.nearest(p), nearest);
       if (changing.dimension() < 3) {
-        EXPECT_THROW(changing.locate(p), InputError);
+        expect_found_as_without_changes(changing, p);
+        expect_found_as_without_changes(changing, {p.x + 1, p.y / 2, p.z - 0.25});
         continue;
       }
       const DelaunayLocation found = changing.locate(p);

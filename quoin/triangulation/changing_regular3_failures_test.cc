@@ -209,8 +209,12 @@ TEST(ChangingRegular3, BadInputIsRefused) {
     EXPECT_THROW(changing.neighbours(id), InputError);
   }
   EXPECT_THROW(changing.star(0), InputError);
-  EXPECT_THROW(changing.locate({0, 0, 0}), InputError);
+  EXPECT_EQ(changing.locate({0, 0, 0}).kind, DelaunayLocation::Kind::vertex);
+  EXPECT_EQ(changing.locate({0.5, 0, 0}).kind, DelaunayLocation::Kind::edge);
+  EXPECT_EQ(changing.locate({0, 0, 1}).kind, DelaunayLocation::Kind::outside_affine_hull);
+  EXPECT_THROW(changing.locate({0, 0, std::numeric_limits<double>::infinity()}), InputError);
   const ChangingRegular3 none(std::vector<Point3>{}, std::vector<double>{}, context);
+  EXPECT_THROW(none.locate({0, 0, 0}), InputError);
   EXPECT_EQ(none.dimension(), -1);
   EXPECT_TRUE(none.canonical_cells(context).cells.empty());
 }

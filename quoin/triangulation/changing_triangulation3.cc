@@ -2,6 +2,7 @@
 #include "quoin/triangulation/changing_triangulation3.h"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -11,8 +12,10 @@
 #include "quoin/triangulation/canonical_cells.h"
 #include "quoin/triangulation/circulators.h"
 #include "quoin/triangulation/flat_cells.h"
+#include "quoin/triangulation/flat_location.h"
 #include "quoin/triangulation/lower_chain.h"
 #include "quoin/triangulation/spatial_order.h"
+#include "quoin/triangulation/triangulation_view3.h"
 
 namespace quoin {
 
@@ -300,11 +303,26 @@ std::vector<std::uint32_t> ChangingTriangulation3<Points>::neighbours(std::uint3
 template <class Points>
 DelaunayLocation ChangingTriangulation3<Points>::locate(const Point3& p) const {
   require_finite(p);
-  if (dimension_ < 3) throw InputError("where points change, others are located in dimension 3 only");
+  if (dimension_ < 3) return locate_among_flat(p);
   const auto walk = [&](std::uint32_t start, std::size_t steps) {
     return walk_to(p, steps, cells(), start, [this](std::uint32_t v) { return point(v); });
   };
   return walk_from(std::nullopt, walk, [&] { return cell_of(points_.one_near(p)); });
+}
+
+template <class Points>
+DelaunayLocation ChangingTriangulation3<Points>::locate_among_flat(const Point3& p) const {
+  if (dimension_ < 0) throw InputError("there is no vertex");
+  const CellArray flat = flat_cells();
+  std::vector<Point3> points(id_count());
+  for (std::uint32_t v = 0; v < points.size(); ++v) {
+    if (lives(v)) points[v] = point(v);
+  }
+  const FlatLocator locator(TriangulationView3(flat, points, dimension_));
+  if (dimension_ < 2) return locator.locate_on_line(p);
+  if (!locator.spans(p)) return {DelaunayLocation::Kind::outside_affine_hull, 0, 0};
+  const auto walk = [&](std::uint32_t start, std::size_t steps) { return locator.walk_in_plane(p, start, steps); };
+  return walk_from(std::nullopt, walk, [] { return 0U; });
 }
 
 template <class Points>

@@ -60,9 +60,9 @@ class ChangingTriangulation3 {
   /// In dimension 2 and 3, all living vertices that share an edge with one or with infinity, ascending. O(d log d)
   /// @throws InputError if there is no such vertex, it is hidden, or the dimension is below 2
   std::vector<std::uint32_t> neighbours(std::uint32_t v) const;
-  /// In dimension 3, the smallest face that a point is in. O(1) expected for points spread evenly.
-  /// @throws InputError if the point is not finite, or the dimension below 3: then DelaunayLocator finds it in a
-  /// Delaunay3 or Regular3 of the points
+  /// The smallest face that a point is in: O(1) expected in dimension 3 for points spread evenly; below, of flat_cells,
+  /// which are made anew: O(n). Who asks often there finds points in a Delaunay3 or Regular3 with a DelaunayLocator.
+  /// @throws InputError if the point is not finite, or there is no vertex
   DelaunayLocation locate(const Point3& p) const;
   /// In dimension 0 and 1 the vertices in lexicographic order, but for hidden ones.
   std::span<const std::uint32_t> line() const;
@@ -109,6 +109,7 @@ class ChangingTriangulation3 {
   void fall_to_plane(std::uint32_t v, const Context& context);
   void fall_to_line(std::uint32_t v, const Context& context);
   int side_of_plane(const Point3& p) const;
+  DelaunayLocation locate_among_flat(const Point3& p) const;
 
   Line line_;
 };

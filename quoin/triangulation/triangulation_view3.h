@@ -28,6 +28,9 @@ class TriangulationView3 {
         weights_(t.weights()),
         vertex_count_(t.vertex_count()),
         dimension_(t.dimension()) {}
+  /// Cells with vertices of such numbers, of which there may be more; without weights.
+  TriangulationView3(std::span<const TriangulationCell> cells, std::span<const Point3> points, int dimension)
+      : cells_(cells), points_(points), vertex_count_(points.size()), dimension_(dimension) {}
 
   int dimension() const { return dimension_; }
   /// Distinct points, hidden ones among them.
