@@ -119,6 +119,12 @@ bool DelaunaySigns::close_conflict(std::uint32_t a, std::uint32_t b, std::uint32
   if (has_keys_) {
     std::array<double, 5> keys;
     for (std::size_t i = 0; i < 5; ++i) keys[i] = points_[v[i]].x * key_x_ + points_[v[i]].y * key_y_ + points_[v[i]].z;
+    // Mostly the point that is lifted most decides, before the others are put in order.
+    const double most = std::max(std::max(keys[0], keys[1]), std::max(keys[2], keys[3]));
+    if (keys[4] > most) return false;
+    const auto or_q = [&](std::size_t i) { return keys[i] == most ? q : v[i]; };
+    const int weight = orientation(or_q(0), or_q(1), or_q(2), or_q(3));
+    if (weight != 0) return weight > 0;
     return is_perturbed_inside(
         v, [&](unsigned i, unsigned j) { return keys[i] < keys[j]; }, sign_of_four);
   }
