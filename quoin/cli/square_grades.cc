@@ -16,12 +16,6 @@ double middle(const Interval& interval) {
   return interval.lower() + (interval.upper() - interval.lower()) / 2;
 }
 
-/// To a few units in the last place; an end that is infinite says nothing.
-bool is_close(const Interval& interval) {
-  const double width = interval.upper() - interval.lower();
-  return std::isfinite(width) && width <= 0x1p-47 * interval.upper();
-}
-
 }  // namespace
 
 SquareGrades::SquareGrades(SquareList list, const Context& context) : list_(std::move(list)) {
@@ -35,7 +29,7 @@ SquareGrades::SquareGrades(SquareList list, const Context& context) : list_(std:
   order_ = ranks_.order();
   for (const std::uint32_t i : ranks_.first) {
     if (squares_.size() % 256 == 0) context.poll();
-    const Interval square = is_close(squares[i]) ? squares[i] : list_.numbers.closer(i);
+    const Interval square = squares[i].is_narrow() ? squares[i] : list_.numbers.closer(i);
     squares_.push_back(std::max(middle(square), squares_.back()));
   }
 }

@@ -30,7 +30,7 @@ class SquareGrades {
   /// By ascending distance; ties by number.
   std::span<const std::uint32_t> order() const { return order_; }
   std::uint32_t count() const { return static_cast<std::uint32_t>(squares_.size()); }
-  /// Up to a few units in the last place; infinite beyond the largest double. Never descending.
+  /// Within 2^-47 of itself; infinite beyond the largest double. Never descending.
   double square(std::uint32_t grade) const { return squares_[grade]; }
   std::uint32_t of(std::uint32_t i) const { return 1 + ranks_.rank[i]; }
   /// How many grades are at most this. Exact. O(log n)

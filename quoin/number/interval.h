@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "quoin/base/sign.h"
@@ -32,6 +34,11 @@ class Interval {
   double lower() const { return lower_; }
   double upper() const { return upper_; }
   bool is_point() const { return lower_ == upper_; }
+  /// Whether it is of a few units in the last place of its larger end, 2^-47 of that; without an end it is not.
+  bool is_narrow() const {
+    const double width = upper_ - lower_;
+    return std::isfinite(width) && width <= 0x1p-47 * std::max(std::fabs(lower_), std::fabs(upper_));
+  }
   bool contains(double value) const { return lower_ <= value && value <= upper_; }
   bool contains(const Rational& value) const;
   bool overlaps(const Interval& other) const { return lower_ <= other.upper_ && other.lower_ <= upper_; }

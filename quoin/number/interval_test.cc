@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -132,6 +133,21 @@ TEST(Interval, EnclosesRationals) {
   EXPECT_TRUE(Interval::around(Rational(0.1)).is_point());
   EXPECT_EQ(Interval::around(Rational(largest) * Rational(2)), Interval(largest, infinity));
   EXPECT_EQ(Interval::around(-Rational(smallest) / Rational(3)), Interval(-smallest, 0));
+}
+
+TEST(Interval, NarrowOnes) {
+  EXPECT_TRUE(Interval(0).is_narrow());
+  EXPECT_TRUE(Interval(largest).is_narrow());
+  for (const double scale : {1.0, 0x1p500, -0x1p-500}) {
+    const double far = scale * (1 - 0x1p-47);
+    const double farther = scale * (1 - 0x1p-46);
+    EXPECT_TRUE(Interval(std::min(scale, far), std::max(scale, far)).is_narrow());
+    EXPECT_FALSE(Interval(std::min(scale, farther), std::max(scale, farther)).is_narrow());
+  }
+  EXPECT_FALSE(Interval(0, smallest).is_narrow());
+  EXPECT_FALSE(Interval(largest, infinity).is_narrow());
+  EXPECT_FALSE(Interval(-infinity, 1).is_narrow());
+  EXPECT_FALSE(Interval::unbounded().is_narrow());
 }
 
 TEST(Interval, SignsAndOrder) {

@@ -141,7 +141,7 @@ class Ranking {
     close.reserve(items.size());
     for (const std::uint32_t i : items) {
       if (close.size() % poll_interval == 0) context_.poll();
-      close.emplace_back(is_close(bounds_[i]) ? bounds_[i] : source_.closer(i), i);
+      close.emplace_back(bounds_[i].is_narrow() ? bounds_[i] : source_.closer(i), i);
     }
     std::sort(close.begin(), close.end(), [](const auto& a, const auto& b) {
       return a.first.lower() < b.first.lower() || (a.first.lower() == b.first.lower() && a.second < b.second);
@@ -159,11 +159,6 @@ class Ranking {
       sort(items.subspan(begin, i - begin), largest);
       begin = i;
     }
-  }
-
-  static bool is_close(const Interval& bounds) {
-    const double width = bounds.upper() - bounds.lower();
-    return std::isfinite(width) && width <= 0x1p-47 * std::max(std::fabs(bounds.lower()), std::fabs(bounds.upper()));
   }
 
   /// By their leading bits; none is larger in magnitude.
