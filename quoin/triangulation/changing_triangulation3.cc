@@ -2,7 +2,6 @@
 #include "quoin/triangulation/changing_triangulation3.h"
 
 #include <algorithm>
-#include <optional>
 #include <string>
 #include <utility>
 
@@ -304,10 +303,8 @@ template <class Points>
 DelaunayLocation ChangingTriangulation3<Points>::locate(const Point3& p) const {
   require_finite(p);
   if (dimension_ < 3) return locate_among_flat(p);
-  const auto walk = [&](std::uint32_t start, std::size_t steps) {
-    return walk_to(p, steps, cells(), start, [this](std::uint32_t v) { return point(v); });
-  };
-  return walk_from(std::nullopt, walk, [&] { return cell_of(points_.one_near(p)); });
+  const std::uint32_t start = cell_of(points_.one_near(p));
+  return *walk_to(p, any_steps, cells(), start, [this](std::uint32_t v) { return point(v); });
 }
 
 template <class Points>
@@ -321,8 +318,7 @@ DelaunayLocation ChangingTriangulation3<Points>::locate_among_flat(const Point3&
   const FlatLocator locator(TriangulationView3(flat, points, dimension_));
   if (dimension_ < 2) return locator.locate_on_line(p);
   if (!locator.spans(p)) return {DelaunayLocation::Kind::outside_affine_hull, 0, 0};
-  const auto walk = [&](std::uint32_t start, std::size_t steps) { return locator.walk_in_plane(p, start, steps); };
-  return walk_from(std::nullopt, walk, [] { return 0U; });
+  return *locator.walk_in_plane(p, 0, any_steps);
 }
 
 template <class Points>

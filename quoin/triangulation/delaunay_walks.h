@@ -40,6 +40,8 @@ int compare_powers(const Point3& p, const Point3& a, double weight_a, const Poin
 /// Steps after which a walk from where its caller wished begins anew, at a sampled place: more than walks across a
 /// million points take that are spread evenly, in the plane or in space. What is long and thin has longer ones.
 inline constexpr std::size_t most_steps_from_hint = 4096;
+/// Of walks without a limit. These end, since cells are in an acyclic order as seen from any point (Edelsbrunner 1990).
+inline constexpr std::size_t any_steps = std::numeric_limits<std::size_t>::max();
 
 /// The smallest face that a point is in, by a walk from a cell of a triangulation of dimension 2 or 3, Delaunay or
 /// regular; nothing where that takes more steps. `side(cell, slot)` is the side of the facet opposite to the slot on
@@ -76,15 +78,14 @@ std::optional<DelaunayLocation> walk_to(const Point3& p, std::size_t steps, std:
   });
 }
 
-/// Where a walk goes on until it has found the point: `walk(start, steps)` is one of those above. It begins at the hint
-/// if there is one, and where it takes too long from there, or there is none, at `near()`. From there it ends, since
-/// cells are in an acyclic order as seen from any point (Edelsbrunner 1990).
-template <class Walk, class Near>
-DelaunayLocation walk_from(std::optional<std::uint32_t> hint, const Walk& walk, const Near& near) {
+/// What a walk finds from the hint if there is one, and where that takes too long, or there is none, from `near()`.
+/// `walk(start, steps)` gives nothing where it takes more steps.
+template <class Start, class Walk, class Near>
+auto walk_from(const std::optional<Start>& hint, const Walk& walk, const Near& near) {
   if (hint) {
-    if (const std::optional<DelaunayLocation> found = walk(*hint, most_steps_from_hint)) return *found;
+    if (const auto found = walk(*hint, most_steps_from_hint)) return *found;
   }
-  return *walk(near(), std::numeric_limits<std::size_t>::max());
+  return *walk(near(), any_steps);
 }
 
 /// The vertex of least distance or power, of equal ones the one of the smallest number, by a walk over edges from a

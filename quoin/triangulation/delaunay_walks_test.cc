@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <optional>
 #include <random>
 #include <vector>
@@ -26,8 +25,6 @@ const Context& alone() {
 double part(Random& random) {
   return std::uniform_real_distribution<double>(0, 1)(random);
 }
-
-constexpr std::size_t unlimited = std::numeric_limits<std::size_t>::max();
 
 constexpr int length = 8000;
 
@@ -58,7 +55,7 @@ TEST(DelaunayWalks, EndAtTheLimitOfSteps) {
   for (int k = 0; k < 20; ++k) {
     const Point3 p{length * part(random), part(random), part(random)};
     const auto start = static_cast<std::uint32_t>(random() % t.cells().size());
-    const std::optional<DelaunayLocation> found = walk_in_space(t, p, unlimited, start);
+    const std::optional<DelaunayLocation> found = walk_in_space(t, p, any_steps, start);
     ASSERT_TRUE(found);
     // The least number of steps that is enough.
     std::size_t low = 0;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <unordered_set>
 #include <vector>
@@ -165,10 +164,10 @@ std::optional<Location2> walk(const TriangulationView2& triangulation, const Poi
 Location2 locate(const TriangulationView2& triangulation, const Point2& query, Vertex2 near) {
   require_finite(query);
   if (triangulation.dimension() < 2) return locate_on_line(triangulation, query);
-  if (!near.is_none()) {
-    if (const std::optional<Location2> found = walk(triangulation, query, near, most_steps_from_hint)) return *found;
-  }
-  return *walk(triangulation, query, nearest_sample(triangulation, query), std::numeric_limits<std::size_t>::max());
+  return walk_from(
+      near.is_none() ? std::nullopt : std::optional(near),
+      [&](Vertex2 from, std::size_t steps) { return walk(triangulation, query, from, steps); },
+      [&] { return nearest_sample(triangulation, query); });
 }
 
 Vertex2 nearest_vertex(const TriangulationView2& triangulation, const Point2& query, Vertex2 near) {
