@@ -40,10 +40,17 @@ std::uint32_t SheetPolygonMaker::add_point(const Point3& p) {
   return static_cast<std::uint32_t>(made_.points.size() - 1);
 }
 
+/// Sheets pass the same Voronoi vertices.
+const Point3& SheetPolygonMaker::centre(std::uint32_t cell) {
+  const auto [at, is_new] = rounded_.try_emplace(cell);
+  if (is_new) at->second = to_nearest_doubles(values_.centre(cell));
+  return at->second;
+}
+
 std::uint32_t SheetPolygonMaker::place(const SheetCorner& corner) {
   if (!corner.is_constructed) {
     const auto [at, is_new] = centres_.try_emplace(corner.place, 0);
-    if (is_new) at->second = add_point(to_nearest_doubles(values_.centre(corner.place)));
+    if (is_new) at->second = add_point(centre(corner.place));
     return at->second;
   }
   if (constructed_[corner.place] == none) {

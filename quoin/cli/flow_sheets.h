@@ -50,6 +50,7 @@ class SheetPolygonMaker {
 
  private:
   std::uint32_t add_point(const Point3& p);
+  const Point3& centre(std::uint32_t cell);
   std::uint32_t place(const SheetCorner& corner);
 
   SheetParts parts_;
@@ -57,8 +58,9 @@ class SheetPolygonMaker {
   CriticalValues values_;
   double unscale_;
   SheetPolygons made_;
-  std::unordered_map<std::uint32_t, std::uint32_t> centres_;
-  std::vector<std::uint32_t> constructed_;
+  std::unordered_map<std::uint32_t, std::uint32_t> centres_;  // by Delone cell, among the points
+  std::vector<std::uint32_t> constructed_;                    // by point of the chain
+  std::unordered_map<std::uint32_t, Point3> rounded_;         // by Delone cell
 };
 
 /// Corners of each piece that does not reach to infinity; how many do.
